@@ -1,0 +1,11 @@
+# Compile options that every target of the project shares.
+#
+# Floating-point contraction is off and no fast-math is ever given, so that debug and release, GCC and Clang, x86-64 and
+# AArch64 round every operation alike.
+function(echoway_compile_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+                                           -Wnon-virtual-dtor -Werror)
+  target_compile_options(${target} PUBLIC -ffp-contract=off)
+endfunction()

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cmath>
+
+namespace echoway {
+
+/// A point or a displacement in a plane, metres. x to the right, y up the plan.
+struct Vec2 {
+  double x = 0.0;
+  double y = 0.0;
+
+  friend constexpr bool operator==(const Vec2&, const Vec2&) = default;
+  friend constexpr Vec2 operator+(Vec2 a, Vec2 b) noexcept { return {a.x + b.x, a.y + b.y}; }
+  friend constexpr Vec2 operator-(Vec2 a, Vec2 b) noexcept { return {a.x - b.x, a.y - b.y}; }
+  friend constexpr Vec2 operator-(Vec2 a) noexcept { return {-a.x, -a.y}; }
+  friend constexpr Vec2 operator*(double s, Vec2 v) noexcept { return {s * v.x, s * v.y}; }
+  friend constexpr Vec2 operator*(Vec2 v, double s) noexcept { return s * v; }
+};
+
+[[nodiscard]] constexpr double dot(Vec2 a, Vec2 b) noexcept { return a.x * b.x + a.y * b.y; }
+
+/// z component of a x b: positive when b lies counter-clockwise of a.
+[[nodiscard]] constexpr double cross(Vec2 a, Vec2 b) noexcept { return a.x * b.y - a.y * b.x; }
+
+[[nodiscard]] constexpr double squared_norm(Vec2 v) noexcept { return dot(v, v); }
+[[nodiscard]] inline double norm(Vec2 v) noexcept { return std::hypot(v.x, v.y); }
+[[nodiscard]] inline double distance(Vec2 a, Vec2 b) noexcept { return norm(b - a); }
+
+/// `v` turned by 90 degrees counter-clockwise.
+[[nodiscard]] constexpr Vec2 perpendicular(Vec2 v) noexcept { return {-v.y, v.x}; }
+
+[[nodiscard]] inline Vec2 unit_from_angle(double radians) noexcept { return {std::cos(radians), std::sin(radians)}; }
+[[nodiscard]] inline bool is_finite(Vec2 v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y); }
+
+}  // namespace echoway

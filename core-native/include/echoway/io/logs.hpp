@@ -1,0 +1,60 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "echoway/belt/belt.hpp"
+#include "echoway/geometry/pose2.hpp"
+#include "echoway/locate/estimate.hpp"
+#include "echoway/motion/motion_hint.hpp"
+#include "echoway/result.hpp"
+
+namespace echoway {
+
+/// What a scan log's comment lines say of its belt; unset where they say nothing.
+struct BeltHeader {
+  std::optional<int> sensors;
+  std::optional<double> radius_m;
+  std::optional<double> beam_rad;
+  std::optional<double> slot_s;
+  std::optional<double> temperature_c;
+
+  /// `defaults` with everything that is set here put in its place.
+  [[nodiscard]] BeltConfig apply_to(BeltConfig defaults) const noexcept;
+};
+
+struct ScanLog {
+  BeltHeader belt;
+  std::vector<Firing> firings;  ///< In order of time.
+};
+
+/// A row of a truth log or of a track; poses in the room's frame. Rooms are named by id, since a log stands alone.
+struct TruthRow {
+  double time_s = 0.0;
+  std::string room;
+  Pose2 pose{};
+};
+struct TrackRow {
+  TruthRow where;
+  double sigma_m = 0.0;
+  double room_probability = 0.0;
+  TrackState state = TrackState::searching;
+};
+
+// Readers fail with file:line of the first row that is malformed, not finite or out of order.
+Result<ScanLog> read_scan_log(const std::filesystem::path& file);
+Result<std::vector<MotionHint>> read_motion_log(const std::filesystem::path& file);
+Result<std::vector<TruthRow>> read_truth_log(const std::filesystem::path& file);
+Result<std::vector<TrackRow>> read_track_log(const std::filesystem::path& file);
+
+// Writers: a file appears whole or not at all (written beside, then renamed).
+Status write_scan_log(const ScanLog& log, const std::filesystem::path& file);
+Status write_motion_log(const std::vector<MotionHint>& hints, const std::filesystem::path& file);
+Status write_truth_log(const std::vector<TruthRow>& rows, const std::filesystem::path& file);
+Status write_track_log(const std::vector<TrackRow>& rows, const std::filesystem::path& file);
+
+[[nodiscard]] const char* to_string(TrackState state) noexcept;
+
+}  // namespace echoway
