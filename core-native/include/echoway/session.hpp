@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+
+#include "echoway/belt/belt.hpp"
+#include "echoway/belt/belt_health.hpp"
+#include "echoway/building/building.hpp"
+#include "echoway/locate/estimate.hpp"
+#include "echoway/locate/locator.hpp"
+#include "echoway/motion/motion_hint.hpp"
+#include "echoway/result.hpp"
+
+namespace echoway {
+
+enum class Method : std::uint8_t {
+  bayes,   ///< The tracker: an estimate at every firing (docs/tracker.md).
+  thesis,  ///< The thesis's method: an estimate every two passes (docs/thesis-method.md).
+};
+
+struct SessionConfig {
+  BeltConfig belt{};
+  Method method = Method::bayes;
+  Start start{};
+  std::uint64_t seed = 1;
+};
+
+/// Everything the core does for one wearer in one building, behind one door: JNI, the command line and the tests all
+/// come in here.
+///
+/// Input goes in by on_bytes() or on_firing(), on_motion() and on_tick(), in any mixture, from one thread, with times in
+/// seconds on one monotonic clock. Output is read between calls; references stay valid until the next input.
+///
+/// Guarantees: nothing throws; no input makes it crash, hang or emit a NaN; nothing is allocated after open() except by
+/// restart(); the same calls give the same output, bit for bit.
+class Session {
+ public:
+  /// Fails when the building is unusable or the configuration makes no sense (sensor count outside 1 ... kMaxSensors,
+  /// negative radius, start room that does not exist, anything not finite).
+  static Result<std::unique_ptr<Session>> open(const std::filesystem::path& building_dir, const SessionConfig& config);
+  static Result<std::unique_ptr<Session>> open(Building building, const SessionConfig& config);
+
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+  ~Session();
+
+  /// Bytes from the belt's serial line, cut anywhere. `arrival_s`: when the last of them arrived. Returns how many
+  /// firings they completed.
+  int on_bytes(std::span<const std::uint8_t> bytes, double arrival_s);
+
+  /// One firing that is already decoded and time-stamped (a replayed log). Returns true when estimate() is renewed.
+  bool on_firing(const Firing& firing);
+
+  void on_motion(const MotionHint& hint);
+
+  /// Time passes: notices a belt that fell silent. Call it at least twice a second while no bytes arrive.
+  void on_tick(double now_s);
+
+  /// The belt's line was opened anew or went away; the position estimate is kept.
+  void on_belt_attached(double now_s);
+  void on_belt_detached(double now_s);
+
+  /// Forgets where the wearer is and starts over (e.g. the wearer says which entrance they stand at).
+  Status restart(const Start& start);
+
+  [[nodiscard]] const Building& building() const;
+  [[nodiscard]] const SessionConfig& config() const;
+  [[nodiscard]] const Estimate& estimate() const;
+  /// Most probable first.
+  [[nodiscard]] std::span<const Hypothesis> hypotheses() const;
+  [[nodiscard]] const BeltHealth& belt_health() const;
+  /// The newest firing of each sensor, index = sensor; time_s is NaN-free and negative before the first.
+  [[nodiscard]] std::span<const Firing> last_scan() const;
+
+ private:
+  struct Impl;
+  explicit Session(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace echoway
