@@ -1,0 +1,109 @@
+#include "scene/room_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/furniture.hpp"
+
+namespace echoway::sim {
+namespace {
+
+constexpr double kDoorOffWall = 0.25;          // A door may be drawn this far off its wall, metres.
+constexpr double kParallel = 0.2;              // Sine of the angle up to which a wall belongs to a doorway.
+constexpr double kShortest = 0.01;             // Shorter pieces of wall are dropped, metres.
+constexpr double kJoint = 0.03;                // Panels meet when they come this close, metres.
+constexpr double kRightAngle = 0.05;           // Cosine of the angle up to which a joint still returns sound.
+
+// What is left of a wall when its door openings are cut out.
+std::vector<Segment> cut_openings(const Segment& wall, const std::vector<Doorway>& doorways) {
+  const double length = wall.length();
+  if (!(length > 0.0)) return {};
+  const Vec2 along = (1.0 / length) * wall.direction();
+  std::vector<std::pair<double, double>> pieces{{0.0, length}};
+  for (const Doorway& doorway : doorways) {
+    const Vec2 to_door = doorway.centre - wall.a;
+    if (std::abs(cross(along, to_door)) > kDoorOffWall || std::abs(cross(along, doorway.along)) > kParallel) continue;
+    const double middle = dot(along, to_door);
+    const double from = middle - 0.5 * doorway.width;
+    const double to = middle + 0.5 * doorway.width;
+    std::vector<std::pair<double, double>> left;
+    for (const auto& [low, high] : pieces) {
+      if (std::min(high, from) - low > kShortest) left.emplace_back(low, std::min(high, from));
+      if (high - std::max(low, to) > kShortest) left.emplace_back(std::max(low, to), high);
+    }
+    pieces = std::move(left);
+  }
+  std::vector<Segment> segments;
+  for (const auto& [low, high] : pieces) segments.push_back({wall.a + low * along, wall.a + high * along});
+  return segments;
+}
+
+void add_corners_of(const Panel& one, const Panel& two, std::vector<Corner>& corners) {
+  const double length_1 = one.at.length();
+  const double length_2 = two.at.length();
+  const Vec2 u = (1.0 / length_1) * one.at.direction();
+  const Vec2 v = (1.0 / length_2) * two.at.direction();
+  if (std::abs(dot(u, v)) > kRightAngle) return;
+  const double s = cross(two.at.a - one.at.a, v) / cross(u, v);
+  const Vec2 at = one.at.a + s * u;
+  const double t = dot(at - two.at.a, v);
+  if (s < -kJoint || s > length_1 + kJoint || t < -kJoint || t > length_2 + kJoint) return;
+  for (const double sign_u : {-1.0, 1.0}) {
+    for (const double sign_v : {-1.0, 1.0}) {
+      const double reach_u = sign_u > 0.0 ? length_1 - s : s;
+      const double reach_v = sign_v > 0.0 ? length_2 - t : t;
+      if (reach_u <= kJoint || reach_v <= kJoint) continue;
+      corners.push_back({at, sign_u * u, sign_v * v, reach_u, reach_v, one.reflectivity * two.reflectivity});
+    }
+  }
+}
+
+void add_edges(const World& world, RoomScene& scene) {
+  const double gain = std::pow(10.0, world.edge_gain_db / 20.0);
+  std::vector<Vec2> seen;
+  for (const Panel& panel : scene.panels) {
+    for (const Vec2 end : {panel.at.a, panel.at.b}) {
+      const bool known =
+          std::any_of(seen.begin(), seen.end(), [&](Vec2 other) { return distance(other, end) < kJoint; });
+      if (known) continue;
+      seen.push_back(end);
+      scene.scatterers.push_back({end, 0.0, gain});
+    }
+  }
+}
+
+// Equipment on a bench sends sound back at any incidence (thesis section 6.2.1): small things along it.
+void add_bench(const Segment& bench, Random& random, RoomScene& scene) {
+  const double length = bench.length();
+  double at = random.uniform(0.0, 0.15);
+  while (at < length) {
+    scene.scatterers.push_back({bench.a + (at / length) * bench.direction(), random.uniform(0.02, 0.10), 1.0});
+    at += random.uniform(0.08, 0.35);
+  }
+  scene.panels.push_back({bench, 0.5});
+}
+
+}  // namespace
+
+RoomScene build_room_scene(const Room& room, const std::vector<Doorway>& doorways, const World& world,
+                           const std::vector<Vec2>& kept_free, Random random) {
+  RoomScene scene;
+  Random of_walls = random.split();
+  Random of_benches = random.split();
+  Random of_furniture = random.split();
+  for (const Segment& wall : room.walls) {
+    const double reflectivity = std::clamp(world.reflectivity + of_walls.normal(0.0, 0.05), 0.2, 1.0);
+    for (const Segment& piece : cut_openings(wall, doorways)) scene.panels.push_back({piece, reflectivity});
+  }
+  add_furniture(room, doorways, world, kept_free, of_furniture, scene);
+  for (const Segment& bench : room.reflectors) add_bench(bench, of_benches, scene);
+  for (std::size_t i = 0; i < scene.panels.size(); ++i) {
+    for (std::size_t j = i + 1; j < scene.panels.size(); ++j) {
+      add_corners_of(scene.panels[i], scene.panels[j], scene.corners);
+    }
+  }
+  add_edges(world, scene);
+  return scene;
+}
+
+}  // namespace echoway::sim

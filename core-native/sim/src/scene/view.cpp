@@ -1,0 +1,116 @@
+#include "scene/view.hpp"
+
+#include <cmath>
+
+namespace echoway::sim {
+namespace {
+
+constexpr int kDoorsDeep = 2;
+constexpr double kSkin = 1e-3;  // Metres from either end of a line within which nothing blocks it.
+
+RoomScene moved(const RoomScene& scene, const Pose2& frame) {
+  RoomScene out = scene;
+  const Vec2 e = unit_from_angle(frame.heading);
+  const auto turn = [e](Vec2 v) { return Vec2{e.x * v.x - e.y * v.y, e.y * v.x + e.x * v.y}; };
+  const auto move = [&](Vec2 p) { return frame.position + turn(p); };
+  for (Panel& panel : out.panels) panel.at = {move(panel.at.a), move(panel.at.b)};
+  for (Corner& corner : out.corners) {
+    corner.at = move(corner.at);
+    corner.u = turn(corner.u);
+    corner.v = turn(corner.v);
+  }
+  for (Scatterer& scatterer : out.scatterers) scatterer.at = move(scatterer.at);
+  for (Disc& disc : out.discs) disc.centre = move(disc.centre);
+  return out;
+}
+
+Segment moved(const Segment& segment, const Pose2& frame) {
+  return {frame.transform(segment.a), frame.transform(segment.b)};
+}
+
+// Where along from + s * along (s in metres, 0 ... length) the line crosses the segment; negative when it does not.
+double crossing(Vec2 from, Vec2 along, double length, const Segment& segment) noexcept {
+  const Vec2 d = segment.direction();
+  const double denominator = cross(along, d);
+  if (denominator == 0.0) return -1.0;
+  const Vec2 to_a = segment.a - from;
+  const double t = cross(to_a, along) / denominator;
+  if (t < 0.0 || t > 1.0) return -1.0;
+  const double s = cross(to_a, d) / denominator;
+  return s > length ? -1.0 : s;
+}
+
+bool blocks(const Disc& disc, Vec2 from, Vec2 along, double low, double high) noexcept {
+  const Vec2 to_disc = disc.centre - from;
+  const double s = dot(to_disc, along);
+  return s > low && s < high && std::abs(cross(along, to_disc)) < disc.radius;
+}
+
+}  // namespace
+
+View::View(RoomIndex centre, const std::vector<std::vector<Doorway>>& doorways,
+           const std::function<const RoomScene&(RoomIndex)>& scene_of, const std::function<bool(std::size_t)>& is_open) {
+  place(centre, Pose2{}, -1, 0, 0, doorways, scene_of, is_open);
+}
+
+void View::place(RoomIndex room, const Pose2& frame, int from, std::size_t by, int depth,
+                 const std::vector<std::vector<Doorway>>& doorways,
+                 const std::function<const RoomScene&(RoomIndex)>& scene_of,
+                 const std::function<bool(std::size_t)>& is_open) {
+  const auto self = static_cast<int>(rooms_.size());
+  rooms_.push_back({room, frame, moved(scene_of(room), frame), {}});
+  const auto& of_room = doorways[static_cast<std::size_t>(room)];
+  for (std::size_t i = 0; i < of_room.size(); ++i) {
+    const Doorway& doorway = of_room[i];
+    const auto index = static_cast<std::size_t>(self);
+    if (!is_open(doorway.door)) {
+      rooms_[index].scene.panels.push_back({moved(doorway.opening(), frame), 0.9});
+    } else if (from >= 0 && i == by) {
+      rooms_[index].portals.push_back({moved(doorway.opening(), frame), from});
+    } else if (depth < kDoorsDeep) {
+      rooms_[index].portals.push_back({moved(doorway.opening(), frame), static_cast<int>(rooms_.size())});
+      place(doorway.other, frame.compose(doorway.other_frame), self, doorway.twin, depth + 1, doorways, scene_of,
+            is_open);
+    } else {
+      rooms_[index].portals.push_back({moved(doorway.opening(), frame), -1});
+    }
+  }
+}
+
+int View::trace(int room, Vec2 from, Vec2 to) const noexcept {
+  const Vec2 whole = to - from;
+  const double length = norm(whole);
+  if (length < kSkin) return room;
+  const Vec2 along = (1.0 / length) * whole;
+  double entered = kSkin;
+  int came_from = -1;
+  for (int hops = 0; hops < 8; ++hops) {
+    const PlacedRoom& here = rooms_[static_cast<std::size_t>(room)];
+    double exit = length;
+    const Portal* through = nullptr;
+    for (const Portal& portal : here.portals) {
+      if (came_from >= 0 && portal.leads_to == came_from) continue;
+      const double s = crossing(from, along, length, portal.opening);
+      if (s >= entered - kSkin && s >= 0.0 && s < exit) {
+        exit = s;
+        through = &portal;
+      }
+    }
+    const double limit = std::min(exit, length - kSkin);
+    for (const Panel& panel : here.scene.panels) {
+      const double s = crossing(from, along, length, panel.at);
+      if (s > entered && s < limit) return -1;
+    }
+    for (const Disc& disc : here.scene.discs) {
+      if (blocks(disc, from, along, entered, limit)) return -1;
+    }
+    if (through == nullptr) return room;
+    if (through->leads_to < 0) return -1;
+    came_from = room;
+    room = through->leads_to;
+    entered = exit;
+  }
+  return -1;
+}
+
+}  // namespace echoway::sim
