@@ -1,0 +1,4 @@
+package org.echoway.core
+
+/** Whether one place explains the echoes. */
+enum class TrackState { SEARCHING, TRACKING, LOST }
