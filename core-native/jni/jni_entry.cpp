@@ -1,0 +1,171 @@
+#include <jni.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <span>
+#include <utility>
+
+#include "echoway/building/loader.hpp"
+#include "echoway/session.hpp"
+#include "jni_text.hpp"
+#include "layouts.hpp"
+#include "session_table.hpp"
+
+// The native methods of org.echoway.core.NativeCore. Each checks its handle and its buffers, calls the core, and writes
+// what comes back into the caller's direct buffer. Nothing is kept between calls but the table of sessions.
+
+namespace {
+
+using echoway::Session;
+using echoway::Start;
+using echoway::jni::session_table;
+
+/// What the calls return besides counts; NativeCore.kt has the same numbers.
+constexpr jint kBadHandle = -1;
+constexpr jint kBadBuffer = -2;
+constexpr jint kFailed = -3;
+
+std::span<std::byte> direct(JNIEnv* env, jobject buffer) {
+  void* address = buffer == nullptr ? nullptr : env->GetDirectBufferAddress(buffer);
+  if (address == nullptr) return {};
+  return {static_cast<std::byte*>(address), static_cast<std::size_t>(env->GetDirectBufferCapacity(buffer))};
+}
+
+/// No C++ exception may cross into the JVM; the only one the core leaves possible is lack of memory.
+template <class F>
+auto guarded(F f, decltype(f()) otherwise) -> decltype(f()) {
+  try {
+    return f();
+  } catch (...) {
+    return otherwise;
+  }
+}
+
+void explain(JNIEnv* env, jobjectArray error, const echoway::Error& what) {
+  env->SetObjectArrayElement(error, 0, echoway::jni::to_java(env, what.to_string()));
+}
+
+/// Room by index, negative for unknown; NaN for an unknown position or heading.
+Start start_from(jint room, jdouble x, jdouble y, jdouble heading) {
+  Start start;
+  if (room < 0) return start;
+  start.room = room;
+  if (!std::isnan(x) && !std::isnan(y)) start.position = echoway::Vec2{x, y};
+  if (!std::isnan(heading)) start.heading = heading;
+  return start;
+}
+
+/// Runs `input` on the session and writes the estimate it leaves behind. Returns what `input` does, or an error.
+template <class Input>
+jint feed(JNIEnv* env, jlong handle, jobject estimate_out, Input input) {
+  return guarded(
+      [&]() -> jint {
+        const auto session = session_table().find(handle);
+        if (!session) return kBadHandle;
+        const auto out = direct(env, estimate_out);
+        if (out.size() < echoway::jni::kEstimateBytes) return kBadBuffer;
+        const jint result = input(*session);
+        echoway::jni::write_estimate(session->estimate(), out);
+        return result;
+      },
+      kFailed);
+}
+
+}  // namespace
+
+extern "C" {
+
+/// Bytes that the floor plan in a folder takes in PlanLayout; written when the buffer is large enough. kFailed with
+/// error[0] set when the building is unusable.
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_plan(JNIEnv* env, jclass, jstring folder, jobject out, jobjectArray error) {
+  return guarded(
+      [&]() -> jint {
+        const auto building = echoway::load_building(echoway::jni::to_utf8(env, folder));
+        if (building.ok()) return static_cast<jint>(echoway::jni::write_plan(*building, direct(env, out)));
+        explain(env, error, building.error());
+        return kFailed;
+      },
+      kFailed);
+}
+
+/// Handle of a new session, or 0 with error[0] set.
+JNIEXPORT jlong JNICALL Java_org_echoway_core_NativeCore_open(JNIEnv* env, jclass, jstring folder, jint sensors, jdouble radius_m,
+                                                              jint room, jdouble x, jdouble y, jdouble heading, jlong seed,
+                                                              jobjectArray error) {
+  return guarded(
+      [&]() -> jlong {
+        echoway::SessionConfig config;
+        config.belt.sensors = sensors;
+        config.belt.radius_m = radius_m;
+        config.start = start_from(room, x, y, heading);
+        config.seed = static_cast<std::uint64_t>(seed);
+        auto session = Session::open(std::filesystem::path(echoway::jni::to_utf8(env, folder)), config);
+        if (session.ok()) return session_table().add(std::move(session).value());
+        explain(env, error, session.error());
+        return 0;
+      },
+      0);
+}
+
+JNIEXPORT void JNICALL Java_org_echoway_core_NativeCore_close(JNIEnv*, jclass, jlong handle) { session_table().remove(handle); }
+
+/// The first `length` bytes of `bytes` arrived. Returns the firings they completed.
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_onBytes(JNIEnv* env, jclass, jlong handle, jobject bytes, jint length,
+                                                                jdouble arrival_s, jobject estimate_out) {
+  const auto in = direct(env, bytes);
+  if (length < 0 || static_cast<std::size_t>(length) > in.size()) return kBadBuffer;
+  const std::span<const std::uint8_t> arrived{reinterpret_cast<const std::uint8_t*>(in.data()), static_cast<std::size_t>(length)};
+  return feed(env, handle, estimate_out, [&](Session& session) { return session.on_bytes(arrived, arrival_s); });
+}
+
+/// `kind`: see echoway::MotionKind.
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_onMotion(JNIEnv* env, jclass, jlong handle, jint kind, jdouble value,
+                                                                 jdouble time_s, jobject estimate_out) {
+  if (kind < 0 || kind > static_cast<jint>(echoway::MotionKind::heading)) return kFailed;
+  const echoway::MotionHint hint{time_s, static_cast<echoway::MotionKind>(kind), value};
+  return feed(env, handle, estimate_out, [&](Session& session) {
+    session.on_motion(hint);
+    return 0;
+  });
+}
+
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_onTick(JNIEnv* env, jclass, jlong handle, jdouble now_s, jobject estimate_out) {
+  return feed(env, handle, estimate_out, [&](Session& session) {
+    session.on_tick(now_s);
+    return 0;
+  });
+}
+
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_onBelt(JNIEnv* env, jclass, jlong handle, jboolean attached, jdouble now_s,
+                                                               jobject estimate_out) {
+  return feed(env, handle, estimate_out, [&](Session& session) {
+    attached ? session.on_belt_attached(now_s) : session.on_belt_detached(now_s);
+    return 0;
+  });
+}
+
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_restart(JNIEnv* env, jclass, jlong handle, jint room, jdouble x, jdouble y,
+                                                                jdouble heading, jobject estimate_out, jobjectArray error) {
+  return feed(env, handle, estimate_out, [&](Session& session) {
+    const auto status = session.restart(start_from(room, x, y, heading));
+    if (status.ok()) return 0;
+    explain(env, error, status.error());
+    return kFailed;
+  });
+}
+
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_beltHealth(JNIEnv* env, jclass, jlong handle, jobject out) {
+  return guarded(
+      [&]() -> jint {
+        const auto session = session_table().find(handle);
+        if (!session) return kBadHandle;
+        const auto buffer = direct(env, out);
+        if (buffer.size() < echoway::jni::kBeltHealthBytes) return kBadBuffer;
+        return static_cast<jint>(echoway::jni::write_belt_health(session->belt_health(), buffer));
+      },
+      kFailed);
+}
+
+}  // extern "C"

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "echoway/belt/belt_health.hpp"
+#include "echoway/building/building.hpp"
+#include "echoway/locate/estimate.hpp"
+
+// How the core's records cross to Kotlin: through direct buffers, in the machine's byte order, without padding. The
+// Kotlin side of each is named beside it; docs/app-architecture.md has the tables.
+namespace echoway::jni {
+
+/// org.echoway.core.EstimateLayout: time, x, y, heading, sigma, sigma heading, room probability, covariance xx, xy, yy,
+/// speed, sound speed scale (f64 each), room, state (i32 each).
+inline constexpr std::size_t kEstimateBytes = 12 * 8 + 2 * 4;
+/// Returns the bytes needed; nothing is promised of `out` when it is smaller.
+std::size_t write_estimate(const Estimate& estimate, std::span<std::byte> out) noexcept;
+
+/// org.echoway.core.BeltHealthLayout: link, sensor count (i32), firings per second (f64), good, bad checksum, malformed,
+/// lost firings, restarts (i64), has temperature, has battery (i32), temperature, battery (f64), firmware (24 bytes); then
+/// kMaxSensors times state, firings, echoes, fault code (i32), last range, last time (f64).
+inline constexpr std::size_t kBeltHealthBytes = 2 * 4 + 8 + 5 * 8 + 2 * 4 + 2 * 8 + 24 + kMaxSensors * (4 * 4 + 2 * 8);
+std::size_t write_belt_health(const BeltHealth& health, std::span<std::byte> out) noexcept;
+
+/// org.echoway.core.PlanLayout: name; rooms (id, name, level, frame x y heading, walls, boundary loops); doors; level
+/// links; exits; places. Every list starts with its length (i32), every text with its length in bytes (i32).
+std::size_t write_plan(const Building& building, std::span<std::byte> out) noexcept;
+
+}  // namespace echoway::jni
