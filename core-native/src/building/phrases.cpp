@@ -1,0 +1,15 @@
+#include "building/phrases.hpp"
+
+#include "text/format.hpp"
+
+namespace echoway {
+
+std::string Phrases::length(double metres) const {
+  return text::brief(metres / metres_per(unit_)) + (unit_ == LengthUnit::feet ? " ft" : " m");
+}
+
+std::string Phrases::point(Vec2 metres) const {
+  return "(" + text::brief(metres.x / metres_per(unit_)) + ", " + text::brief(metres.y / metres_per(unit_)) + ")";
+}
+
+}  // namespace echoway

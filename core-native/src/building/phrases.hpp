@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "building/source.hpp"
+
+namespace echoway {
+
+/// Words for messages, in the unit in which the building's files are written.
+class Phrases {
+ public:
+  explicit Phrases(LengthUnit unit) : unit_(unit) {}
+
+  [[nodiscard]] std::string length(double metres) const;  ///< `0.7 ft`
+  [[nodiscard]] std::string point(Vec2 metres) const;     ///< `(4, 6.45)`, as the file has it.
+
+ private:
+  LengthUnit unit_;
+};
+
+}  // namespace echoway

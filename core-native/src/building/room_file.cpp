@@ -1,0 +1,108 @@
+#include "building/room_file.hpp"
+
+#include <array>
+#include <optional>
+
+#include "building/line_parser.hpp"
+#include "text/line_reader.hpp"
+
+namespace echoway {
+namespace {
+
+constexpr std::array<std::string_view, 4> kKinds{"walls", "corners", "edges", "reflectors"};
+constexpr std::string_view kLineForms =
+    "write '1 x1 y1 x2 y2' (wall), '2 x y' (corner), '3 x y' (edge) or '4 x1 y1 x2 y2' (reflector)";
+
+struct Counts {
+  std::array<long long, 4> of{};
+  int line = 0;
+};
+
+Counts parse_counts(LineParser& parser, int line) {
+  Counts counts;
+  counts.line = line;
+  for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
+    if (kind == 3 && parser.at_end()) break;
+    counts.of[kind] = parser.integer("the number of " + std::string(kKinds[kind]));
+    if (counts.of[kind] < 0) parser.refuse("the number of " + std::string(kKinds[kind]) + " is negative");
+  }
+  parser.end();
+  return counts;
+}
+
+void parse_element(LineParser& parser, int line, double scale, RoomSource& room) {
+  const std::string kind = parser.word("the kind of element");
+  if (kind == "1") {
+    room.walls.push_back({parser.segment(scale), line});
+  } else if (kind == "2") {
+    room.corners.push_back({parser.point(scale), line});
+  } else if (kind == "3") {
+    room.edges.push_back({parser.point(scale), line});
+  } else if (kind == "4") {
+    room.reflectors.push_back({parser.segment(scale), line});
+  } else {
+    parser.refuse(shown(kind) + " is no kind of element");
+  }
+  parser.end();
+}
+
+void compare_counts(const Counts& counts, const RoomSource& room, Findings& findings) {
+  const std::array<std::size_t, 4> found{room.walls.size(), room.corners.size(), room.edges.size(),
+                                         room.reflectors.size()};
+  for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
+    const auto said = static_cast<unsigned long long>(counts.of[kind]);
+    if (said == found[kind]) continue;
+    findings.unusable(room.file, counts.line,
+                      "says " + std::to_string(said) + " " + std::string(kKinds[kind]) + " but the file has " +
+                          std::to_string(found[kind]) + "; correct the count or the lines");
+  }
+}
+
+}  // namespace
+
+RoomSource read_room_file(const std::filesystem::path& file, std::string id, LengthUnit unit, Findings& findings) {
+  RoomSource room;
+  room.id = std::move(id);
+  room.file = file.string();
+  Result<text::LineReader> opened = text::LineReader::open(file);
+  if (!opened) {
+    findings.unusable(opened.error());
+    return room;
+  }
+  text::LineReader reader = std::move(opened).value();
+  std::optional<Counts> counts;
+  std::size_t elements = 0;
+  bool all_lines_good = true;
+  while (const auto line = reader.next()) {
+    auto tokens = text::split_tokens(*line);
+    if (tokens && tokens->empty()) continue;
+    LineParser parser(tokens ? std::move(*tokens) : std::vector<text::Token>{});
+    if (!tokens) parser.refuse("a quote is not closed");
+    const bool is_counts = !counts;
+    if (is_counts) {
+      counts = parse_counts(parser, reader.line());
+    } else {
+      parse_element(parser, reader.line(), metres_per(unit), room);
+    }
+    if (parser.problem()) {
+      const std::string_view form = is_counts ? "the first line must be 'walls corners edges [reflectors]'" : kLineForms;
+      findings.unusable(room.file, reader.line(), *parser.problem() + "; " + std::string(form));
+      all_lines_good = false;
+    }
+    if (++elements > kMaxElements + 1) {
+      findings.unusable(room.file, reader.line(),
+                        "has more than " + std::to_string(kMaxElements) + " elements; split the room at its doors");
+      return room;
+    }
+  }
+  if (reader.error()) {
+    findings.unusable(*reader.error());
+  } else if (!counts) {
+    findings.unusable(room.file, 0, "is empty; the first line must be 'walls corners edges [reflectors]'");
+  } else if (all_lines_good) {
+    compare_counts(*counts, room, findings);
+  }
+  return room;
+}
+
+}  // namespace echoway

@@ -1,0 +1,122 @@
+#include "echoway/io/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+namespace echoway {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A name beside `target` that no other writer of this or another process uses.
+fs::path temporary_beside(const fs::path& target) {
+  static std::atomic<unsigned> counter{0};
+  const std::string suffix = ".partial-" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
+  return target.parent_path() / ("." + target.filename().string() + suffix);
+}
+
+fs::path follow_link(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_symlink(file, error)) return file;
+  const fs::path real = fs::weakly_canonical(file, error);
+  return error ? file : real;
+}
+
+std::string describe(int error) { return "cannot be written: " + std::generic_category().message(error); }
+
+/// O_EXCL: never writes through something that another process put there. 0666: the umask decides, as for any new file.
+std::FILE* open_new(const fs::path& file) {
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor < 0) return nullptr;
+  std::FILE* handle = ::fdopen(descriptor, "wb");
+  if (handle == nullptr) {
+    ::close(descriptor);
+    ::unlink(file.c_str());
+  }
+  return handle;
+}
+
+}  // namespace
+
+Result<AtomicFile> AtomicFile::create(const fs::path& file) {
+  AtomicFile out;
+  out.target_ = follow_link(file);
+  std::error_code ignored;
+  const fs::file_status status = fs::status(out.target_, ignored);
+  if (fs::is_directory(status)) return Error{"is a folder; name a file in it", file.string()};
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    out.handle_.reset(std::fopen(out.target_.c_str(), "wb"));
+  } else {
+    out.temporary_ = temporary_beside(out.target_);
+    out.handle_.reset(open_new(out.temporary_));
+  }
+  if (!out.handle_) {
+    const int error = errno;
+    out.temporary_.clear();
+    return Error{describe(error), file.string()};
+  }
+  return out;
+}
+
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept
+    : handle_(std::move(other.handle_)),
+      target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      error_(other.error_) {}
+
+AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
+  if (this != &other) {
+    discard();
+    handle_ = std::move(other.handle_);
+    target_ = std::move(other.target_);
+    temporary_ = std::exchange(other.temporary_, {});
+    error_ = other.error_;
+  }
+  return *this;
+}
+
+AtomicFile::~AtomicFile() { discard(); }
+
+void AtomicFile::discard() noexcept {
+  handle_.reset();
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  temporary_.clear();
+}
+
+Error AtomicFile::failure(int error) const { return Error{describe(error), target_.string()}; }
+
+void AtomicFile::write(std::string_view bytes) noexcept {
+  if (error_ != 0) return;
+  if (!handle_) {
+    error_ = EBADF;
+  } else if (std::fwrite(bytes.data(), 1, bytes.size(), handle_.get()) != bytes.size()) {
+    error_ = errno;
+  }
+}
+
+Status AtomicFile::close() {
+  if (handle_ && std::fclose(handle_.release()) != 0 && error_ == 0) error_ = errno;
+  if (error_ == 0) return success();
+  const Error error = failure(error_);
+  discard();
+  return error;
+}
+
+Status AtomicFile::commit() {
+  if (Status closed = close(); !closed) return closed;
+  if (temporary_.empty()) return success();
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) {
+    const Error error = failure(errno);
+    discard();
+    return error;
+  }
+  temporary_.clear();
+  return success();
+}
+
+}  // namespace echoway

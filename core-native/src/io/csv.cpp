@@ -1,0 +1,87 @@
+#include "io/csv.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "text/format.hpp"
+#include "text/number.hpp"
+#include "text/tokens.hpp"
+
+namespace echoway::csv {
+namespace {
+
+/// Splits at commas into `fields`; the number of fields that the line has, which may be more than fit.
+std::size_t split(std::string_view line, std::span<std::string_view> fields) {
+  std::size_t count = 0;
+  while (true) {
+    const std::size_t comma = line.find(',');
+    if (count < fields.size()) fields[count] = text::trim(line.substr(0, comma));
+    ++count;
+    if (comma == std::string_view::npos) return count;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+std::string join(std::span<const std::string_view> columns) {
+  std::string out;
+  for (const std::string_view column : columns) {
+    if (!out.empty()) out += ',';
+    out += column;
+  }
+  return out;
+}
+
+bool starts_with_columns(std::span<const std::string_view> header, std::span<const std::string_view> columns) {
+  return header.size() >= columns.size() && std::equal(columns.begin(), columns.end(), header.begin());
+}
+
+}  // namespace
+
+Result<double> Row::number(std::size_t column, double limit) const {
+  const std::string_view field = fields_[column];
+  const std::string name(columns_[column]);
+  if (field.empty()) return Error{name + " is missing"};
+  const std::optional<double> value = text::parse_number(field);
+  if (!value) return Error{name + " is '" + std::string(field) + "', not a finite number"};
+  if (std::abs(*value) > limit) return Error{name + " is " + std::string(field) + ", beyond any sensible value"};
+  return *value;
+}
+
+Status read(const std::filesystem::path& file, std::span<const std::string_view> columns, const Handlers& handlers) {
+  Result<text::LineReader> opened = text::LineReader::open(file);
+  if (!opened) return opened.error();
+  text::LineReader reader = std::move(opened).value();
+  std::array<std::string_view, kMaxColumns> fields;
+  std::size_t width = 0;
+  std::size_t rows = 0;
+  while (const std::optional<std::string_view> raw = reader.next()) {
+    const std::string_view line = text::trim(*raw);
+    if (line.empty()) continue;
+    if (line.front() == '#') {
+      if (width > 0 || !handlers.comment) continue;
+      if (const auto problem = handlers.comment(text::trim(line.substr(1)))) return reader.error_here(*problem);
+      continue;
+    }
+    const std::size_t count = split(line, fields);
+    if (width == 0) {
+      if (!starts_with_columns({fields.data(), std::min(count, kMaxColumns)}, columns) || count > kMaxColumns) {
+        return reader.error_here("the header line must be '" + join(columns) + "'");
+      }
+      width = count;
+      continue;
+    }
+    if (count != width) {
+      return reader.error_here("has " + std::to_string(count) + " fields where the header has " +
+                               std::to_string(width));
+    }
+    if (++rows > kMaxRows) {
+      return reader.error_here("has more than " + std::to_string(kMaxRows) + " rows; split the log");
+    }
+    if (const auto problem = handlers.row(Row({fields.data(), count}, columns))) return reader.error_here(*problem);
+  }
+  if (reader.error()) return *reader.error();
+  if (width == 0) return Error{"has no header line; it must be '" + join(columns) + "'", file.string()};
+  return success();
+}
+
+}  // namespace echoway::csv

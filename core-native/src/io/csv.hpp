@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "echoway/result.hpp"
+#include "text/line_reader.hpp"
+
+namespace echoway::csv {
+
+/// Rows that a log may have: 26 hours of firings. Keeps a hostile file from filling the memory.
+inline constexpr std::size_t kMaxRows = 1'500'000;
+inline constexpr std::size_t kMaxColumns = 64;
+
+/// The fields of one row, as many as the header has.
+class Row {
+ public:
+  Row(std::span<const std::string_view> fields, std::span<const std::string_view> columns)
+      : fields_(fields), columns_(columns) {}
+
+  [[nodiscard]] std::string_view text(std::size_t column) const { return fields_[column]; }
+
+  /// A finite number whose magnitude is at most `limit`, or why it is none.
+  [[nodiscard]] Result<double> number(std::size_t column, double limit) const;
+
+ private:
+  std::span<const std::string_view> fields_;
+  std::span<const std::string_view> columns_;
+};
+
+struct Handlers {
+  /// Each comment line before the header, without `#`; returns what is wrong with it.
+  std::function<std::optional<std::string>(std::string_view)> comment = nullptr;
+  /// Each row; returns what is wrong with it.
+  std::function<std::optional<std::string>(const Row&)> row;
+};
+
+/// Reads a log: `#` comments, a header line whose first columns are `columns` (further ones may follow), rows. Fails at
+/// the first line that is malformed or that a handler refuses.
+Status read(const std::filesystem::path& file, std::span<const std::string_view> columns, const Handlers& handlers);
+
+/// Growth by doubling would pass a log's memory limit on its last step; this keeps the largest buffer at kMaxRows.
+template <class Vector>
+void reserve_next(Vector& rows) {
+  if (rows.size() == rows.capacity() && rows.capacity() < kMaxRows) {
+    rows.reserve(std::min(kMaxRows, std::max<std::size_t>(256, 2 * rows.capacity())));
+  }
+}
+
+}  // namespace echoway::csv

@@ -1,0 +1,183 @@
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "echoway/io/logs.hpp"
+#include "io/csv.hpp"
+#include "io/log_columns.hpp"
+#include "text/number.hpp"
+#include "text/tokens.hpp"
+#include "text/utf8.hpp"
+
+namespace echoway {
+namespace {
+
+using Problem = std::optional<std::string>;
+
+constexpr double kMaxTime = 1e12;          ///< Seconds; room for any epoch, and microseconds still resolve.
+constexpr double kMaxLength = 1e8;         ///< Metres, as for coordinates of a building.
+constexpr double kMaxRange = 1e4;          ///< Metres: catches a log in millimetres, passes any echo.
+constexpr double kMaxAngle = 1e9;          ///< Degrees; a drifting heading may count many turns.
+
+/// The time of a row; rows must come in order of time, equal times are fine.
+class Clock {
+ public:
+  Problem read(const csv::Row& row, double& time) {
+    const Result<double> value = row.number(0, kMaxTime);
+    if (!value) return value.error().message;
+    if (*value < last_) return "time_s goes back; sort the rows by time";
+    time = last_ = *value;
+    return std::nullopt;
+  }
+
+ private:
+  double last_ = -std::numeric_limits<double>::infinity();
+};
+
+Problem read_number(const csv::Row& row, std::size_t column, double limit, double& out) {
+  const Result<double> value = row.number(column, limit);
+  if (!value) return value.error().message;
+  out = *value;
+  return std::nullopt;
+}
+
+// --- Scan logs ---------------------------------------------------------------------------------------------------------
+
+struct BeltKey {
+  std::string_view key;
+  double low, high;
+  void (*set)(BeltHeader&, double);
+};
+
+constexpr BeltKey kBeltKeys[] = {
+    {"sensors", 1, kMaxSensors, [](BeltHeader& b, double v) { b.sensors = static_cast<int>(v); }},
+    {"radius_m", 0, 2, [](BeltHeader& b, double v) { b.radius_m = v; }},
+    {"beam_deg", 0.01, 360, [](BeltHeader& b, double v) { b.beam_rad = degrees(v); }},
+    {"slot_s", 1e-6, 60, [](BeltHeader& b, double v) { b.slot_s = v; }},
+    {"temperature_c", -60, 100, [](BeltHeader& b, double v) { b.temperature_c = v; }},
+};
+
+/// `key value` sets something; any other comment is prose.
+Problem read_belt_comment(std::string_view comment, BeltHeader& belt) {
+  const std::size_t blank = comment.find_first_of(" \t");
+  if (blank == std::string_view::npos) return std::nullopt;
+  const std::string_view key = comment.substr(0, blank);
+  const std::string_view value_text = text::trim(comment.substr(blank));
+  if (value_text.find_first_of(" \t") != std::string_view::npos) return std::nullopt;
+  for (const BeltKey& known : kBeltKeys) {
+    if (known.key != key) continue;
+    const auto value = text::parse_number(value_text);
+    const bool whole = key != "sensors" || (value && *value == std::floor(*value));
+    if (!value || *value < known.low || *value > known.high || !whole) {
+      return "'" + std::string(value_text) + "' is no sensible value for " + std::string(key);
+    }
+    known.set(belt, *value);
+  }
+  return std::nullopt;
+}
+
+Problem read_firing(const csv::Row& row, const BeltHeader& belt, Clock& clock, Firing& firing) {
+  if (auto problem = clock.read(row, firing.time_s)) return problem;
+  const auto sensor = text::parse_integer(row.text(1));
+  const int sensors = belt.sensors.value_or(kMaxSensors);
+  if (!sensor || *sensor < 0 || *sensor >= sensors) {
+    return "sensor is '" + std::string(row.text(1)) + "', not a number from 0 to " + std::to_string(sensors - 1);
+  }
+  firing.sensor = static_cast<int>(*sensor);
+  if (row.text(2).empty()) return std::nullopt;
+  if (auto problem = read_number(row, 2, kMaxRange, firing.range_m)) return problem;
+  if (firing.range_m < 0.0) return "range_m is negative; leave it blank when there was no echo";
+  return std::nullopt;
+}
+
+// --- Motion, truth and tracks ------------------------------------------------------------------------------------------
+
+Problem read_motion(const csv::Row& row, Clock& clock, MotionHint& hint) {
+  if (auto problem = clock.read(row, hint.time_s)) return problem;
+  const std::optional<MotionKind> kind = motion_kind_from(row.text(1));
+  if (!kind) return "kind is '" + std::string(row.text(1)) + "', not step, yaw_rate_dps or heading_deg";
+  hint.kind = *kind;
+  if (auto problem = read_number(row, 2, kMaxAngle, hint.value)) return problem;
+  if (hint.kind != MotionKind::step) hint.value = degrees(hint.value);
+  return std::nullopt;
+}
+
+/// `room` may be blank in a track only: a locator that has no idea yet.
+Problem read_place(const csv::Row& row, Clock& clock, bool room_required, TruthRow& out) {
+  if (auto problem = clock.read(row, out.time_s)) return problem;
+  out.room = row.text(1);
+  if (out.room.empty() && room_required) return "room is missing";
+  if (!text::is_utf8(out.room)) return "room is not valid UTF-8";
+  if (auto problem = read_number(row, 2, kMaxLength, out.pose.position.x)) return problem;
+  if (auto problem = read_number(row, 3, kMaxLength, out.pose.position.y)) return problem;
+  double heading_deg = 0.0;
+  if (auto problem = read_number(row, 4, kMaxAngle, heading_deg)) return problem;
+  out.pose.heading = wrap_angle(degrees(heading_deg));
+  return std::nullopt;
+}
+
+Problem read_track(const csv::Row& row, Clock& clock, TrackRow& out) {
+  if (auto problem = read_place(row, clock, false, out.where)) return problem;
+  if (auto problem = read_number(row, 5, kMaxLength, out.sigma_m)) return problem;
+  if (out.sigma_m < 0.0) return "sigma_m is negative";
+  if (auto problem = read_number(row, 6, 1.0, out.room_probability)) return problem;
+  if (out.room_probability < 0.0) return "room_probability is negative";
+  const std::optional<TrackState> state = track_state_from(row.text(7));
+  if (!state) return "state is '" + std::string(row.text(7)) + "', not searching, tracking or lost";
+  out.state = *state;
+  return std::nullopt;
+}
+
+template <class T, class ReadRow>
+Result<std::vector<T>> read_rows(const std::filesystem::path& file, std::span<const std::string_view> columns,
+                                 ReadRow read_row) {
+  std::vector<T> rows;
+  Clock clock;
+  csv::Handlers handlers;
+  handlers.row = [&](const csv::Row& row) {
+    csv::reserve_next(rows);
+    return read_row(row, clock, rows.emplace_back());
+  };
+  if (const Status status = csv::read(file, columns, handlers); !status) return status.error();
+  return rows;
+}
+
+}  // namespace
+
+BeltConfig BeltHeader::apply_to(BeltConfig defaults) const noexcept {
+  if (sensors) defaults.sensors = *sensors;
+  if (radius_m) defaults.radius_m = *radius_m;
+  if (beam_rad) defaults.beam_rad = *beam_rad;
+  if (slot_s) defaults.slot_s = *slot_s;
+  if (temperature_c) defaults.temperature_c = *temperature_c;
+  return defaults;
+}
+
+Result<ScanLog> read_scan_log(const std::filesystem::path& file) {
+  ScanLog log;
+  Clock clock;
+  csv::Handlers handlers;
+  handlers.comment = [&](std::string_view comment) { return read_belt_comment(comment, log.belt); };
+  handlers.row = [&](const csv::Row& row) {
+    csv::reserve_next(log.firings);
+    return read_firing(row, log.belt, clock, log.firings.emplace_back());
+  };
+  if (const Status status = csv::read(file, kScanColumns, handlers); !status) return status.error();
+  return log;
+}
+
+Result<std::vector<MotionHint>> read_motion_log(const std::filesystem::path& file) {
+  return read_rows<MotionHint>(file, kMotionColumns, read_motion);
+}
+
+Result<std::vector<TruthRow>> read_truth_log(const std::filesystem::path& file) {
+  return read_rows<TruthRow>(file, kTruthColumns, [](const csv::Row& row, Clock& clock, TruthRow& out) {
+    return read_place(row, clock, true, out);
+  });
+}
+
+Result<std::vector<TrackRow>> read_track_log(const std::filesystem::path& file) {
+  return read_rows<TrackRow>(file, kTrackColumns, read_track);
+}
+
+}  // namespace echoway
