@@ -7,7 +7,11 @@ namespace echoway::tools {
 // Each command_<name>.cpp defines one of these: it adds its subcommand, whose callback sets `status` to the exit status
 // (0 done, 2 bad usage or bad input).
 void add_check(CLI::App& app, int& status);
+void add_simulate(CLI::App& app, int& status);
 
-inline void add_commands(CLI::App& app, int& status) { add_check(app, status); }
+inline void add_commands(CLI::App& app, int& status) {
+  add_check(app, status);
+  add_simulate(app, status);
+}
 
 }  // namespace echoway::tools

@@ -54,17 +54,17 @@ Walk random_walk(const Building& building, const RandomWalkOptions& options, std
     if (!goal) continue;
     const Result<std::vector<Stretch>> way = plan.route(room, here, next, *goal);
     if (!way.ok()) continue;
-    walk.steps.push_back(GoTo{{building.room(next).id, *goal}});
+    walk.add(GoTo{{building.room(next).id, *goal}});
     spent += length_of(*way, here) / options.speed_mps + 1.0;
     room = next;
     here = *goal;
     if (random.uniform() < options.turn_probability) {
-      walk.steps.push_back(TurnBy{random.uniform(-kPi, kPi)});
+      walk.add(TurnBy{random.uniform(-kPi, kPi)});
       spent += 2.0;
     }
     if (random.uniform() < options.pause_probability) {
       const double seconds = random.uniform(1.0, 6.0);
-      walk.steps.push_back(Pause{seconds});
+      walk.add(Pause{seconds});
       spent += seconds;
     }
   }

@@ -6,18 +6,41 @@
 namespace echoway::sim {
 namespace {
 
-constexpr double kNearest = 0.02;  // Things closer than this to the face are taken to be this far, metres.
+constexpr double kNearest = 0.02;      // Things closer to the face than this count as this far, metres.
+constexpr double kFaintest = 0.1;      // Share of the threshold below which a path is not worth its while.
+constexpr double kBeamSlope = 0.4663;  // Planes serve as mirrors up to 25 degrees off the axis (tangent).
+constexpr double kBeyondEnd = 0.3;     // A plane's reflection point may lie this far beyond its end, metres.
 
 // Where the world is looked at from: the transducer itself or its image behind a plane.
 struct Vantage {
   Vec2 at{};
-  Vec2 axis{};                    // The beam's axis, mirrored along.
   const Panel* mirror = nullptr;
   int mirror_room = 0;
-  double loss = 1.0;              // Amplitude left by the mirror, both ways.
+  Vec2 along{};  // Unit vector of the mirror.
+};
+
+struct Mirror {
+  const Panel* panel = nullptr;
+  int room = 0;
+  Vec2 along{};
 };
 
 Vec2 reflect(Vec2 v, Vec2 unit_along) { return 2.0 * dot(v, unit_along) * unit_along - v; }
+
+Vec2 image(Vec2 p, const Mirror& mirror) { return mirror.panel->at.a + reflect(p - mirror.panel->at.a, mirror.along); }
+
+// Where the line from `from` to `to` passes through the segment; false when it does not, or only at an end.
+bool passes(Vec2 from, Vec2 to, const Segment& through, Vec2& at) {
+  const Vec2 ray = to - from;
+  const Vec2 d = through.direction();
+  const double denominator = cross(ray, d);
+  if (denominator == 0.0) return false;
+  const double s = cross(through.a - from, d) / denominator;
+  const double t = cross(through.a - from, ray) / denominator;
+  if (s <= 0.0 || s >= 1.0 || t <= 0.0 || t >= 1.0) return false;
+  at = from + s * ray;
+  return true;
+}
 
 class PathFinder {
  public:
@@ -30,6 +53,33 @@ class PathFinder {
         max_path_(max_path_m),
         arrivals_(arrivals) {}
 
+  void look_straight() {
+    look_from({sensor_.face, nullptr, 0, {}});
+    for (const Obstacle& obstacle : obstacles_) obstacle_echo(obstacle);
+  }
+
+  // Planes that the beam meets askew pass it on.
+  void look_by_mirrors() {
+    std::vector<Mirror> mirrors;
+    for (std::size_t i = 0; i < view_.rooms().size(); ++i) {
+      for (const Panel& panel : view_.rooms()[i].scene.panels) {
+        const double length = panel.at.length();
+        if (length < 0.05 || !in_beam(panel.at)) continue;
+        const Mirror mirror{&panel, static_cast<int>(i), (1.0 / length) * panel.at.direction()};
+        if (distance(image(sensor_.face, mirror), sensor_.face) > 2.0 * kNearest) mirrors.push_back(mirror);
+      }
+    }
+    for (const Mirror& mirror : mirrors) {
+      look_from({image(sensor_.face, mirror), mirror.panel, mirror.room, mirror.along});
+    }
+    for (const Mirror& first : mirrors) {
+      for (const Mirror& second : mirrors) {
+        if (first.panel != second.panel && first.room == second.room) triangle(first, second);
+      }
+    }
+  }
+
+ private:
   void look_from(const Vantage& vantage) {
     for (std::size_t i = 0; i < view_.rooms().size(); ++i) {
       const int room = static_cast<int>(i);
@@ -42,88 +92,68 @@ class PathFinder {
     }
   }
 
-  void look_at_obstacles() {
-    for (const Obstacle& obstacle : obstacles_) {
-      const double distance_m = std::max(kNearest, distance(obstacle.disc.centre, sensor_.face) - obstacle.disc.radius);
-      const double loss = receiver_.scatter_loss(distance_m, obstacle.disc.radius) * obstacle.reflectivity;
-      if (noticeable(direct(), obstacle.disc.centre, 2.0 * distance_m, loss)) {
-        arrivals_.push_back({2.0 * distance_m, amplitude_});
-      }
-    }
+  // Keeps `path_` when sound that leaves and arrives in the given directions (unit vectors away from the transducer) can
+  // be noticed at all.
+  bool noticeable(double path_m, Vec2 out, Vec2 in, double loss) {
+    const double cos_out = dot(out, sensor_.axis);
+    const double cos_in = dot(in, sensor_.axis);
+    if (path_m > max_path_ || cos_out <= 0.0 || cos_in <= 0.0) return false;
+    path_ = {path_m, receiver_.directivity(cos_out) * receiver_.path_amplitude(path_m) * loss, cos_in, in};
+    return receiver_.over_threshold(path_m, std::abs(path_.amplitude * receiver_.directivity(cos_in))) > kFaintest;
   }
 
-  [[nodiscard]] Vantage direct() const { return {sensor_.face, sensor_.axis, nullptr, 0, 1.0}; }
-
-  // Planes that the beam meets askew and that pass it on.
-  void look_by_mirrors() {
-    for (std::size_t i = 0; i < view_.rooms().size(); ++i) {
-      for (const Panel& panel : view_.rooms()[i].scene.panels) {
-        const double length = panel.at.length();
-        if (!(length > 0.05)) continue;
-        const Vec2 along = (1.0 / length) * panel.at.direction();
-        if (!in_main_lobe(panel.at)) continue;
-        Vantage vantage;
-        vantage.at = panel.at.a + reflect(sensor_.face - panel.at.a, along);
-        vantage.axis = reflect(sensor_.axis, along);
-        vantage.mirror = &panel;
-        vantage.mirror_room = static_cast<int>(i);
-        vantage.loss = panel.reflectivity * panel.reflectivity;
-        if (distance(vantage.at, sensor_.face) < 2.0 * kNearest) continue;
-        look_from(vantage);
-      }
-    }
+  Vec2 direction(Vec2 target) const {
+    const Vec2 d = target - sensor_.face;
+    const double length = norm(d);
+    return length > 1e-9 ? (1.0 / length) * d : sensor_.axis;
   }
 
- private:
-  // Whether a path from the vantage towards `target` can be noticed at all; leaves its amplitude in amplitude_.
-  bool noticeable(const Vantage& vantage, Vec2 target, double path_m, double loss) {
-    if (path_m > max_path_) return false;
-    const Vec2 to = target - vantage.at;
-    const double d = norm(to);
-    const double cosine = d > 1e-9 ? dot(to, vantage.axis) / d : 1.0;
-    if (cosine <= 0.0) return false;
-    amplitude_ = receiver_.mirror_amplitude(path_m, cosine, cosine) * loss * vantage.loss;
-    return receiver_.over_threshold({path_m, amplitude_}) > 0.1;
+  // Of a target that is seen from the vantage, as the transducer sees it.
+  Vec2 direction(const Vantage& vantage, Vec2 target) const {
+    if (vantage.mirror == nullptr) return direction(target);
+    const Vec2 d = target - vantage.at;
+    const double length = norm(d);
+    return length > 1e-9 ? reflect((1.0 / length) * d, vantage.along) : sensor_.axis;
   }
 
-  // Whether nothing stands between the transducer and the target, which lies in placed room `room`.
-  bool clear(const Vantage& vantage, int room, Vec2 target) const {
-    Vec2 from = sensor_.face;
-    int start = sensor_.room;
-    if (vantage.mirror != nullptr) {
-      const Segment& mirror = vantage.mirror->at;
-      const Vec2 ray = target - vantage.at;
-      const double denominator = cross(ray, mirror.direction());
-      if (denominator == 0.0) return false;
-      const double s = cross(mirror.a - vantage.at, mirror.direction()) / denominator;
-      const double t = cross(mirror.a - vantage.at, ray) / denominator;
-      if (s <= 0.0 || s >= 1.0 || t <= 0.0 || t >= 1.0) return false;
-      const Vec2 bounce = vantage.at + s * ray;
-      if (view_.trace(start, from, bounce) != vantage.mirror_room || hidden_by_obstacle(from, bounce)) return false;
-      from = bounce;
-      start = vantage.mirror_room;
-    }
-    return view_.trace(start, from, target) == room && !hidden_by_obstacle(from, target);
+  // Out towards `target` as the vantage sees it and back the same way.
+  bool noticeable_return(const Vantage& vantage, Vec2 target, double path_m, double loss) {
+    const double mirror = vantage.mirror == nullptr ? 1.0 : vantage.mirror->reflectivity * vantage.mirror->reflectivity;
+    const Vec2 there = direction(vantage, target);
+    return noticeable(path_m, there, there, loss * mirror);
   }
 
-  bool hidden_by_obstacle(Vec2 from, Vec2 to) const {
+  bool hidden_by_obstacle(Vec2 from, Vec2 to, const Obstacle* but = nullptr) const {
     const Segment ray{from, to};
     return std::any_of(obstacles_.begin(), obstacles_.end(), [&](const Obstacle& obstacle) {
-      return distance(ray, obstacle.disc.centre) < 0.8 * obstacle.disc.radius;
+      return &obstacle != but && distance(ray, obstacle.centre) < 0.8 * obstacle.radius;
     });
   }
 
+  bool clear(int from_room, Vec2 from, int to_room, Vec2 to) const {
+    return view_.trace(from_room, from, to) == to_room && !hidden_by_obstacle(from, to);
+  }
+
+  // Whether nothing stands between the transducer, the mirror if any, and the target.
+  bool clear(const Vantage& vantage, int room, Vec2 target) const {
+    if (vantage.mirror == nullptr) return clear(sensor_.room, sensor_.face, room, target);
+    Vec2 bounce;
+    return passes(vantage.at, target, vantage.mirror->at, bounce) &&
+           clear(sensor_.room, sensor_.face, vantage.mirror_room, bounce) &&
+           clear(vantage.mirror_room, bounce, room, target);
+  }
+
   void plane(const Vantage& vantage, int room, const Panel& panel) {
-    const double length2 = squared_norm(panel.at.direction());
-    if (!(length2 > 0.0)) return;
-    const double t = dot(vantage.at - panel.at.a, panel.at.direction()) / length2;
-    const double length = std::sqrt(length2);
-    if (t * length < -0.3 || (t - 1.0) * length > 0.3) return;
-    const Vec2 foot = panel.at.a + t * panel.at.direction();
+    const Vec2 d = panel.at.direction();
+    const double length = norm(d);
+    if (!(length > 0.0)) return;
+    const double along = dot(vantage.at - panel.at.a, d) / length;
+    if (along < -kBeyondEnd || along > length + kBeyondEnd) return;
+    const Vec2 foot = panel.at.a + (along / length) * d;
     const double path = 2.0 * std::max(kNearest, distance(foot, vantage.at));
-    const double taper = receiver_.end_taper(t * length, path) * receiver_.end_taper((1.0 - t) * length, path);
-    if (!noticeable(vantage, foot, path, taper * panel.reflectivity)) return;
-    if (clear(vantage, room, nearest_point(panel.at, vantage.at))) arrivals_.push_back({path, amplitude_});
+    const double taper = receiver_.end_taper(along, path) * receiver_.end_taper(length - along, path);
+    if (!noticeable_return(vantage, foot, path, taper * panel.reflectivity)) return;
+    if (clear(vantage, room, nearest_point(panel.at, vantage.at))) arrivals_.push_back(path_);
   }
 
   void corner_echo(const Vantage& vantage, int room, const Corner& corner) {
@@ -133,19 +163,56 @@ class PathFinder {
     // The part of the wave that both panels return: as wide as the shorter panel looks from here.
     const double reach = std::min(corner.reach_u * dot(to, corner.v), corner.reach_v * dot(to, corner.u)) / d;
     const double size = 2.0 * receiver_.end_taper(reach, 2.0 * d) - 1.0;
-    if (!noticeable(vantage, corner.at, 2.0 * d, size * corner.reflectivity)) return;
-    if (clear(vantage, room, corner.at)) arrivals_.push_back({2.0 * d, amplitude_});
+    if (!noticeable_return(vantage, corner.at, 2.0 * d, size * corner.reflectivity)) return;
+    if (clear(vantage, room, corner.at)) arrivals_.push_back(path_);
   }
 
   void scatter(const Vantage& vantage, int room, const Scatterer& scatterer) {
     const double d = std::max(kNearest, distance(scatterer.at, vantage.at) - scatterer.radius);
-    if (!noticeable(vantage, scatterer.at, 2.0 * d, scatterer.gain * receiver_.scatter_loss(d, scatterer.radius))) return;
-    if (clear(vantage, room, scatterer.at)) arrivals_.push_back({2.0 * d, amplitude_});
+    const double loss = scatterer.gain * receiver_.scatter_loss(d, scatterer.radius);
+    if (noticeable_return(vantage, scatterer.at, 2.0 * d, loss) && clear(vantage, room, scatterer.at)) {
+      arrivals_.push_back(path_);
+    }
+    if (vantage.mirror == nullptr) return;
+    // By the mirror out and straight back, or the other way round: two paths of one length.
+    const double back = std::max(kNearest, distance(scatterer.at, sensor_.face) - scatterer.radius);
+    if (noticeable(d + back, direction(vantage, scatterer.at), direction(scatterer.at),
+                   2.0 * loss * vantage.mirror->reflectivity) &&
+        clear(sensor_.room, sensor_.face, room, scatterer.at) && clear(vantage, room, scatterer.at)) {
+      arrivals_.push_back(path_);
+    }
   }
 
-  // Whether the beam, 25 degrees to either side, meets the segment.
-  bool in_main_lobe(const Segment& segment) const {
-    constexpr double kHalfWidth = 0.4663;  // tan 25 degrees
+  // Transducer, first plane, second plane, transducer. Right angles are left to corner_echo().
+  void triangle(const Mirror& first, const Mirror& second) {
+    constexpr double kRightAngle = 0.05;
+    if (std::abs(dot(first.along, second.along)) < kRightAngle) return;
+    const Vec2 once = image(sensor_.face, first);
+    const Vec2 twice = image(once, second);
+    Vec2 last;
+    Vec2 out;
+    if (!passes(twice, sensor_.face, second.panel->at, last) || !passes(once, last, first.panel->at, out)) return;
+    const double path = distance(twice, sensor_.face);
+    const double loss = first.panel->reflectivity * second.panel->reflectivity;
+    if (!noticeable(path, direction(out), direction(last), loss)) return;
+    if (clear(sensor_.room, sensor_.face, first.room, out) && clear(first.room, out, second.room, last) &&
+        clear(sensor_.room, sensor_.face, second.room, last)) {
+      arrivals_.push_back(path_);
+    }
+  }
+
+  void obstacle_echo(const Obstacle& obstacle) {
+    const double away = distance(obstacle.centre, sensor_.face);
+    const double d = std::max(kNearest, away - obstacle.radius);
+    const Vec2 there = direction(obstacle.centre);
+    const double loss = receiver_.scatter_loss(d, obstacle.radius) * obstacle.reflectivity;
+    if (!noticeable(2.0 * d, there, there, loss)) return;
+    const Vec2 front = sensor_.face + (d / std::max(away, d)) * (obstacle.centre - sensor_.face);
+    if (view_.trace(sensor_.room, sensor_.face, front) < 0 || hidden_by_obstacle(sensor_.face, front, &obstacle)) return;
+    arrivals_.push_back(path_);
+  }
+
+  bool in_beam(const Segment& segment) const {
     const auto local = [&](Vec2 p) {
       const Vec2 d = p - sensor_.face;
       return Vec2{dot(d, sensor_.axis), cross(sensor_.axis, d)};
@@ -153,7 +220,7 @@ class PathFinder {
     const Vec2 a = local(segment.a);
     const Vec2 b = local(segment.b);
     if (a.x <= 0.0 && b.x <= 0.0) return false;
-    return !(a.y > kHalfWidth * a.x && b.y > kHalfWidth * b.x) && !(a.y < -kHalfWidth * a.x && b.y < -kHalfWidth * b.x);
+    return !(a.y > kBeamSlope * a.x && b.y > kBeamSlope * b.x) && !(a.y < -kBeamSlope * a.x && b.y < -kBeamSlope * b.x);
   }
 
   const View& view_;
@@ -162,7 +229,7 @@ class PathFinder {
   const std::vector<Obstacle>& obstacles_;
   double max_path_;
   std::vector<Arrival>& arrivals_;
-  double amplitude_ = 0.0;
+  Arrival path_{};
 };
 
 }  // namespace
@@ -171,8 +238,7 @@ void find_arrivals(const View& view, const Receiver& receiver, const World& worl
                    const std::vector<Obstacle>& obstacles, double max_path_m, std::vector<Arrival>& arrivals) {
   arrivals.clear();
   PathFinder finder(view, receiver, sensor, obstacles, max_path_m, arrivals);
-  finder.look_at_obstacles();
-  finder.look_from(finder.direct());
+  finder.look_straight();
   if (world.mirror_paths) finder.look_by_mirrors();
 }
 

@@ -14,14 +14,16 @@ struct Sensor {
   int room = 0;         ///< Placed room in which the face is.
 };
 
-/// What stands close to the wearer and moves: arms, passers-by. Answers like a post and blocks what is behind.
+/// Something round that moves: an arm, a passer-by. Answers like a post and blocks what is behind.
 struct Obstacle {
-  Disc disc{};
+  Vec2 centre{};
+  double radius = 0.0;
   double reflectivity = 1.0;
 };
 
-/// All the paths by which sound comes back: planes, corners, edges and posts directly and, with mirror_paths, by way of
-/// a plane that is not met squarely.
+/// All paths up to `max_path_m` by which sound comes back loud enough to matter (image sources, at most two planes):
+/// planes, right-angled corners, edges and posts directly; by way of a plane and back the same way; round a triangle of
+/// two planes, or of a plane and an edge or post.
 void find_arrivals(const View& view, const Receiver& receiver, const World& world, const Sensor& sensor,
                    const std::vector<Obstacle>& obstacles, double max_path_m, std::vector<Arrival>& arrivals);
 

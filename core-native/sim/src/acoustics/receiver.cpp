@@ -3,21 +3,28 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 
 #include "acoustics/piston.hpp"
 
 namespace echoway::sim {
 namespace {
 
-constexpr double kReferencePath = 4.0;      // There and back to a plane 2 m off.
-constexpr double kGainRiseDb = 40.0;        // From the first gain step to the last.
-constexpr double kPulse = 16.0;             // Cycles in the ping: the echo's envelope rises that long.
-// Times at which the ranging module raises its gain, seconds after the ping (TL851/TL852 step table; the last is the
-// thesis's "maximum 38 ms after emission").
-constexpr std::array<double, 11> kGainSteps{2.38e-3,  5.12e-3,  7.87e-3,  10.6e-3,  13.35e-3, 16.09e-3,
-                                            18.84e-3, 21.59e-3, 27.07e-3, 32.55e-3, 38.04e-3};
+constexpr double kReferencePath = 4.0;   // There and back to a plane 2 m off.
+constexpr double kGainRiseDb = 40.0;     // From the first gain step to the last.
+constexpr double kPulse = 16.0;          // Cycles in the ping: the echo's envelope rises that long.
+constexpr double kNearestPath = 0.05;    // Metres; shorter paths count as this long.
+constexpr int kSamplesPerPulse = 24;     // Of the envelope where echoes overlap.
+// Times at which the ranging module raises its gain, seconds after the ping (step table of its control chip; the last
+// is the "maximum 38 ms after emission" of the thesis, section 6.1).
+constexpr std::array<double, 11> kGainSteps{2.38e-3,  5.12e-3,  7.87e-3,  10.61e-3, 13.35e-3, 16.09e-3,
+                                            18.84e-3, 21.58e-3, 27.07e-3, 32.55e-3, 38.04e-3};
 
 double from_db(double db) { return std::pow(10.0, db / 20.0); }
+
+double steps_by(double time_s) {
+  return static_cast<double>(std::upper_bound(kGainSteps.begin(), kGainSteps.end(), time_s) - kGainSteps.begin());
+}
 
 }  // namespace
 
@@ -28,31 +35,25 @@ Receiver::Receiver(const World& world)
       margin_(from_db(world.plane_margin_db)) {
   wavelength_ = sound_speed_ / world.frequency_hz;
   wave_number_ = kTwoPi / wavelength_;
-  least_ = 1.0 / (margin_ * gain(1e9));
 }
 
 double Receiver::gain(double path_m) const noexcept {
-  const auto steps_by = [this](double path) {
-    const double t = path / sound_speed_;
-    return static_cast<double>(std::upper_bound(kGainSteps.begin(), kGainSteps.end(), t) - kGainSteps.begin());
-  };
   const double per_step = kGainRiseDb / static_cast<double>(kGainSteps.size());
-  return from_db(per_step * (steps_by(path_m) - steps_by(kReferencePath)));
+  return from_db(per_step * (steps_by(path_m / sound_speed_) - steps_by(kReferencePath / sound_speed_)));
 }
 
-double Receiver::mirror_amplitude(double path_m, double cos_out, double cos_in) const noexcept {
-  const auto pattern = [this](double cos_theta) {
-    if (cos_theta <= 0.0) return 0.0;
-    const double sin_theta = std::sqrt(std::max(0.0, 1.0 - cos_theta * cos_theta));
-    return cos_theta * piston_directivity(wave_number_, radius_, sin_theta);
-  };
-  const double spreading = kReferencePath / std::max(path_m, 0.05);
-  const double air = std::exp(-absorption_ * (path_m - kReferencePath));
-  return std::abs(pattern(cos_out) * pattern(cos_in)) * spreading * air;
+double Receiver::directivity(double cos_theta) const noexcept {
+  if (cos_theta <= 0.0) return 0.0;
+  const double sin_theta = std::sqrt(std::max(0.0, 1.0 - cos_theta * cos_theta));
+  return cos_theta * piston_directivity(wave_number_, radius_, sin_theta);
+}
+
+double Receiver::path_amplitude(double path_m) const noexcept {
+  return kReferencePath / std::max(path_m, kNearestPath) * std::exp(-absorption_ * (path_m - kReferencePath));
 }
 
 double Receiver::scatter_loss(double distance_m, double radius_m) const noexcept {
-  const double z = std::max(distance_m, 0.02);
+  const double z = std::max(distance_m, kNearestPath);
   if (radius_m > 0.0) return std::sqrt(0.5 * radius_m / (z + 0.5 * radius_m));
   return 1.0 / (kTwoPi * std::sqrt(z / wavelength_));
 }
@@ -62,28 +63,74 @@ double Receiver::end_taper(double inside_m, double path_m) const noexcept {
   return 0.5 * std::erfc(-inside_m / zone);
 }
 
-double Receiver::over_threshold(const Arrival& arrival) const noexcept {
-  return arrival.amplitude * margin_ * gain(arrival.path_m);
+double Receiver::over_threshold(double path_m, double received) const noexcept {
+  return received * margin_ * gain(path_m);
 }
 
-std::optional<double> Receiver::first_crossing(const std::vector<Arrival>& arrivals) const {
-  const double pulse_m = kPulse * wavelength_;
-  std::optional<double> first;
+std::optional<double> Receiver::first_crossing(std::vector<Arrival>& arrivals) const {
+  std::sort(arrivals.begin(), arrivals.end(), [](const Arrival& a, const Arrival& b) { return a.path_m < b.path_m; });
+  const double pulse = kPulse * wavelength_;
+  const double step = pulse / kSamplesPerPulse;
+  const double calibrated = pulse / margin_;
+  // The carrier's phase makes echoes that overlap add up or cancel. The envelope of each rises and falls linearly.
+  std::vector<std::complex<double>> phasors;
+  phasors.reserve(arrivals.size());
   for (const Arrival& arrival : arrivals) {
-    const double ratio = over_threshold(arrival);
-    if (ratio < 1.0) continue;
-    const double crossing = arrival.path_m + pulse_m * (1.0 / ratio - 1.0 / margin_);
-    if (!first || crossing < *first) first = crossing;
+    const double received = arrival.amplitude * directivity(arrival.cos_arrival);
+    phasors.push_back(std::polar(1.0, std::remainder(wave_number_ * arrival.path_m, kTwoPi)) * received);
   }
-  return first;
+  std::size_t first = 0;
+  double before = 0.0;
+  for (double s = arrivals.empty() ? 0.0 : arrivals.front().path_m; first < arrivals.size(); s += step) {
+    while (first < arrivals.size() && arrivals[first].path_m + 2.0 * pulse < s) ++first;
+    if (first == arrivals.size()) break;
+    if (s < arrivals[first].path_m) {
+      s = arrivals[first].path_m;
+      before = 0.0;
+    }
+    std::complex<double> sum{};
+    for (std::size_t i = first; i < arrivals.size() && arrivals[i].path_m < s; ++i) {
+      const double age = (s - arrivals[i].path_m) / pulse;
+      sum += phasors[i] * std::max(0.0, 1.0 - std::abs(age - 1.0));
+    }
+    const double now = over_threshold(s, std::abs(sum));
+    if (now >= 1.0) return s - step * (now - 1.0) / std::max(now - before, 1e-12) - calibrated;
+    before = now;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> Receiver::interference_crossing(double level) const noexcept {
+  const double per_step = kGainRiseDb / static_cast<double>(kGainSteps.size());
+  const double at_reference = steps_by(kReferencePath / sound_speed_);
+  for (std::size_t i = 0; i < kGainSteps.size(); ++i) {
+    if (level * from_db(per_step * (static_cast<double>(i + 1) - at_reference)) >= 1.0) {
+      return kGainSteps[i] * sound_speed_;
+    }
+  }
+  return std::nullopt;
 }
 
 double Receiver::plane_half_angle(double distance_m) const {
+  const double path = 2.0 * distance_m;
   for (double angle = 0.0; angle < degrees(89.0); angle += degrees(0.05)) {
-    const double cosine = std::cos(angle);
-    if (over_threshold({2.0 * distance_m, mirror_amplitude(2.0 * distance_m, cosine, cosine)}) < 1.0) return angle;
+    const double d = directivity(std::cos(angle));
+    if (over_threshold(path, d * d * path_amplitude(path)) < 1.0) return angle;
   }
   return degrees(89.0);
+}
+
+double transducer_radius_for(double half_angle, const World& world) {
+  // On the main lobe 2 J1(x)/x falls from 1 at x = 0 to 0 at 3.83.
+  const double wanted = std::pow(10.0, -world.plane_margin_db / 40.0) / std::cos(half_angle);
+  double low = 0.0;
+  double high = 3.8317;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (piston_directivity(middle, 1.0, 1.0) > wanted ? low : high) = middle;
+  }
+  const double wave_number = kTwoPi * world.frequency_hz / speed_of_sound(world.temperature_c);
+  return low / (wave_number * std::sin(half_angle));
 }
 
 }  // namespace echoway::sim

@@ -1,5 +1,6 @@
 #include "plan/doorway.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace echoway::sim {
@@ -48,6 +49,14 @@ bool inside(const Room& room, Vec2 p) noexcept {
     }
   }
   return in;
+}
+
+double floor_area(const Room& room) noexcept {
+  double area = 0.0;
+  for (const std::vector<Vec2>& loop : room.boundary) {
+    for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) area += 0.5 * cross(loop[j], loop[i]);
+  }
+  return std::abs(area);
 }
 
 std::vector<std::vector<Doorway>> find_doorways(const Building& building) {

@@ -28,4 +28,7 @@ struct Doorway {
 /// Even-odd test against the room's boundary.
 [[nodiscard]] bool inside(const Room& room, Vec2 p) noexcept;
 
+/// Of the floor within the room's boundary, square metres.
+[[nodiscard]] double floor_area(const Room& room) noexcept;
+
 }  // namespace echoway::sim

@@ -7,89 +7,129 @@
 namespace echoway::sim {
 namespace {
 
-constexpr double kApproach = 0.4;  // How far before a doorway the wearer lines up with it, metres.
+constexpr double kApproach = 0.4;    // How far before a doorway the wearer lines up with it, metres.
+constexpr double kDoorPrice = 0.5;   // A door costs as much as this many metres of way,
+constexpr double kLinkPrice = 15.0;  // stairs or an elevator as many.
 
-std::string not_reachable(const Room& from, const Room& to) {
-  return "no way through doors leads from room " + from.id + " to room " + to.id;
+std::vector<std::vector<Passage>> find_passages(const Building& building,
+                                                const std::vector<std::vector<Doorway>>& doorways) {
+  std::vector<std::vector<Passage>> passages(building.rooms.size());
+  for (std::size_t room = 0; room < passages.size(); ++room) {
+    for (std::size_t i = 0; i < doorways[room].size(); ++i) {
+      const Doorway& here = doorways[room][i];
+      const Doorway& there = doorways[static_cast<std::size_t>(here.other)][here.twin];
+      passages[room].push_back({here.other, here.centre, there.centre, static_cast<int>(i), -1});
+    }
+  }
+  for (std::size_t i = 0; i < building.links.size(); ++i) {
+    const LevelLink& link = building.links[i];
+    if (link.room_a == kNoRoom || link.room_b == kNoRoom) continue;
+    passages[static_cast<std::size_t>(link.room_a)].push_back(
+        {link.room_b, link.at_a, link.at_b, -1, static_cast<int>(i)});
+    passages[static_cast<std::size_t>(link.room_b)].push_back(
+        {link.room_a, link.at_b, link.at_a, -1, static_cast<int>(i)});
+  }
+  return passages;
 }
 
 }  // namespace
 
-FloorPlan::FloorPlan(const Building& building) : building_(building), doorways_(find_doorways(building)) {}
+FloorPlan::FloorPlan(const Building& building)
+    : building_(building), doorways_(find_doorways(building)), passages_(find_passages(building, doorways_)) {}
 
 const std::vector<Doorway>& FloorPlan::doorways(RoomIndex room) const {
   return doorways_[static_cast<std::size_t>(room)];
+}
+
+const std::vector<Passage>& FloorPlan::passages(RoomIndex room) const {
+  return passages_[static_cast<std::size_t>(room)];
 }
 
 const RoomGrid& FloorPlan::grid(RoomIndex room) const {
   return grids_.try_emplace(room, building_.room(room)).first->second;
 }
 
-// Dijkstra over doorways; returns, for each room on the way, the doorway (index in that room) by which it is left.
-std::vector<std::size_t> FloorPlan::door_chain(RoomIndex from_room, Vec2 from, RoomIndex to_room) const {
-  const std::size_t count = building_.rooms.size();
-  std::vector<double> cost(count, std::numeric_limits<double>::infinity());
-  std::vector<Vec2> entry(count);
-  std::vector<RoomIndex> before(count, kNoRoom);
-  std::vector<std::size_t> door(count, 0);
+// Dijkstra over passages, straight lines between them standing for the ways inside a room.
+std::vector<Passage> FloorPlan::chain(RoomIndex from_room, Vec2 from, RoomIndex to_room,
+                                      const std::set<std::size_t>& shut) const {
+  struct Reached {
+    double cost = std::numeric_limits<double>::infinity();
+    Vec2 entry{};
+    RoomIndex before = kNoRoom;
+    Passage by{};
+  };
+  std::vector<Reached> reached(building_.rooms.size());
+  const auto of = [&reached](RoomIndex room) -> Reached& { return reached[static_cast<std::size_t>(room)]; };
   using Entry = std::pair<double, RoomIndex>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  const auto at = [](RoomIndex room) { return static_cast<std::size_t>(room); };
-  cost[at(from_room)] = 0.0;
-  entry[at(from_room)] = from;
+  of(from_room).cost = 0.0;
+  of(from_room).entry = from;
   open.emplace(0.0, from_room);
   while (!open.empty()) {
-    const auto [reached, room] = open.top();
+    const auto [cost, room] = open.top();
     open.pop();
-    if (reached > cost[at(room)]) continue;
+    if (cost > of(room).cost) continue;
     if (room == to_room) break;
-    for (std::size_t i = 0; i < doorways(room).size(); ++i) {
-      const Doorway& doorway = doorways(room)[i];
-      const double total = reached + distance(entry[at(room)], doorway.centre) + 0.5;
-      if (total >= cost[at(doorway.other)]) continue;
-      cost[at(doorway.other)] = total;
-      entry[at(doorway.other)] = doorways(doorway.other)[doorway.twin].centre;
-      before[at(doorway.other)] = room;
-      door[at(doorway.other)] = i;
-      open.emplace(total, doorway.other);
+    for (const Passage& passage : passages(room)) {
+      const bool door = passage.doorway >= 0;
+      if (door && shut.contains(doorways(room)[static_cast<std::size_t>(passage.doorway)].door)) continue;
+      const double total = cost + distance(of(room).entry, passage.leave_at) + (door ? kDoorPrice : kLinkPrice);
+      if (total >= of(passage.to).cost) continue;
+      of(passage.to) = {total, passage.arrive_at, room, passage};
+      open.emplace(total, passage.to);
     }
   }
-  std::vector<std::size_t> chain;
-  for (RoomIndex room = to_room; room != from_room; room = before[at(room)]) {
-    if (before[at(room)] == kNoRoom) return {};
-    chain.push_back(door[at(room)]);
+  std::vector<Passage> passages;
+  for (RoomIndex room = to_room; room != from_room; room = of(room).before) {
+    if (of(room).before == kNoRoom) return {};
+    passages.push_back(of(room).by);
   }
-  std::reverse(chain.begin(), chain.end());
-  return chain;
+  std::reverse(passages.begin(), passages.end());
+  return passages;
 }
 
-Result<std::vector<Stretch>> FloorPlan::route(RoomIndex from_room, Vec2 from, RoomIndex to_room, Vec2 to) const {
-  const std::vector<std::size_t> chain = door_chain(from_room, from, to_room);
-  if (chain.empty() && from_room != to_room) {
-    return Error{not_reachable(building_.room(from_room), building_.room(to_room))};
+Result<std::vector<Stretch>> FloorPlan::route(RoomIndex from_room, Vec2 from, RoomIndex to_room, Vec2 to,
+                                              const std::set<std::size_t>& shut) const {
+  const std::vector<Passage> passages = chain(from_room, from, to_room, shut);
+  if (passages.empty() && from_room != to_room) {
+    return Error{"no way through open doors leads from room " + building_.room(from_room).id + " to room " +
+                 building_.room(to_room).id};
   }
   std::vector<Stretch> stretches;
   RoomIndex room = from_room;
   Vec2 here = from;
-  for (const std::size_t index : chain) {
-    const Doorway& doorway = doorways(room)[index];
-    const Vec2 approach = doorway.centre + kApproach * doorway.inward;
-    Stretch stretch{room, grid(room).path(here, approach)};
-    if (stretch.points.empty()) {
-      return Error{"no way in room " + building_.room(room).id + " leads to its door to room " +
-                   building_.room(doorway.other).id};
+  std::vector<Vec2> first;  // Points that a stretch begins with: straight in from the door.
+  for (const Passage& passage : passages) {
+    Stretch stretch{room, std::move(first), passage};
+    first.clear();
+    Vec2 target = passage.leave_at;
+    if (passage.doorway >= 0) {
+      const Doorway& doorway = doorways(room)[static_cast<std::size_t>(passage.doorway)];
+      target = doorway.centre + kApproach * doorway.inward;
     }
-    stretch.points.push_back(doorway.centre);
+    const std::vector<Vec2> way = grid(room).path(here, target);
+    if (way.empty()) {
+      return Error{"no way in room " + building_.room(room).id + " leads to its passage to room " +
+                   building_.room(passage.to).id};
+    }
+    stretch.points.insert(stretch.points.end(), way.begin(), way.end());
+    here = passage.arrive_at;
+    if (passage.doorway >= 0) {
+      const Doorway& doorway = doorways(room)[static_cast<std::size_t>(passage.doorway)];
+      const Doorway& twin = doorways(passage.to)[doorway.twin];
+      stretch.points.push_back(doorway.centre);
+      here = twin.centre + kApproach * twin.inward;
+      first.push_back(here);
+    }
     stretches.push_back(std::move(stretch));
-    const Doorway& twin = doorways(doorway.other)[doorway.twin];
-    room = doorway.other;
-    here = twin.centre + kApproach * twin.inward;
-    stretches.push_back({room, {here}});
+    room = passage.to;
   }
-  Stretch last{room, grid(room).path(here, to)};
-  if (last.points.empty()) {
-    return Error{"a place in room " + building_.room(room).id + " is in a wall, outside or cannot be reached"};
+  Stretch last{room, std::move(first), {}};
+  const std::vector<Vec2> way = grid(room).path(here, to);
+  if (way.empty()) {
+    return Error{"the place in room " + building_.room(room).id + " is in a wall, outside or cannot be reached"};
   }
+  last.points.insert(last.points.end(), way.begin(), way.end());
   stretches.push_back(std::move(last));
   return stretches;
 }

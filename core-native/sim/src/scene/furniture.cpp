@@ -11,14 +11,6 @@ constexpr double kPassage = 0.4;      // Left free beside the wearer's way, metr
 constexpr double kDoorClear = 0.9;    // Left free before a door, metres.
 constexpr int kTries = 12;
 
-double floor_area(const Room& room) {
-  double area = 0.0;
-  for (const std::vector<Vec2>& loop : room.boundary) {
-    for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) area += 0.5 * cross(loop[j], loop[i]);
-  }
-  return std::abs(area);
-}
-
 int draw_count(double mean, Random& random) {
   const int whole = static_cast<int>(mean);
   return whole + (random.uniform() < mean - whole ? 1 : 0);

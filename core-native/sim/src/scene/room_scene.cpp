@@ -72,6 +72,16 @@ void add_edges(const World& world, RoomScene& scene) {
   }
 }
 
+// A wall of brick, books or curtains: many small things at its face, each of its own strength.
+void add_roughness(const Segment& wall, Random& random, RoomScene& scene) {
+  const double length = wall.length();
+  const double gain = std::pow(10.0, random.uniform(0.0, 10.0) / 20.0);
+  for (double at = random.uniform(0.0, 0.2); at < length; at += random.uniform(0.05, 0.35)) {
+    const Vec2 face = wall.a + (at / length) * wall.direction();
+    scene.scatterers.push_back({face, random.uniform(0.002, 0.015), gain});
+  }
+}
+
 // Equipment on a bench sends sound back at any incidence (thesis section 6.2.1): small things along it.
 void add_bench(const Segment& bench, Random& random, RoomScene& scene) {
   const double length = bench.length();
@@ -93,7 +103,11 @@ RoomScene build_room_scene(const Room& room, const std::vector<Doorway>& doorway
   Random of_furniture = random.split();
   for (const Segment& wall : room.walls) {
     const double reflectivity = std::clamp(world.reflectivity + of_walls.normal(0.0, 0.05), 0.2, 1.0);
-    for (const Segment& piece : cut_openings(wall, doorways)) scene.panels.push_back({piece, reflectivity});
+    const bool rough = of_walls.uniform() < world.rough_walls;
+    for (const Segment& piece : cut_openings(wall, doorways)) {
+      scene.panels.push_back({piece, rough ? 0.6 * reflectivity : reflectivity});
+      if (rough) add_roughness(piece, of_walls, scene);
+    }
   }
   add_furniture(room, doorways, world, kept_free, of_furniture, scene);
   for (const Segment& bench : room.reflectors) add_bench(bench, of_benches, scene);

@@ -32,18 +32,11 @@ struct Scatterer {
   double gain = 1.0;    ///< Amplitude above the ideal edge or post.
 };
 
-/// Something round that blocks.
-struct Disc {
-  Vec2 centre{};
-  double radius = 0.0;
-};
-
 /// One room as sound meets it: walls with the door openings cut out, and what stands about. In the room's frame.
 struct RoomScene {
   std::vector<Panel> panels;
   std::vector<Corner> corners;
   std::vector<Scatterer> scatterers;
-  std::vector<Disc> discs;
 };
 
 /// `kept_free`: places in the room where the wearer passes; nothing is put there.

@@ -6,6 +6,7 @@ namespace echoway::sim {
 namespace {
 
 constexpr int kDoorsDeep = 2;
+constexpr double kDoorReflectivity = 0.9;
 constexpr double kSkin = 1e-3;  // Metres from either end of a line within which nothing blocks it.
 
 RoomScene moved(const RoomScene& scene, const Pose2& frame) {
@@ -20,7 +21,6 @@ RoomScene moved(const RoomScene& scene, const Pose2& frame) {
     corner.v = turn(corner.v);
   }
   for (Scatterer& scatterer : out.scatterers) scatterer.at = move(scatterer.at);
-  for (Disc& disc : out.discs) disc.centre = move(disc.centre);
   return out;
 }
 
@@ -40,39 +40,32 @@ double crossing(Vec2 from, Vec2 along, double length, const Segment& segment) no
   return s > length ? -1.0 : s;
 }
 
-bool blocks(const Disc& disc, Vec2 from, Vec2 along, double low, double high) noexcept {
-  const Vec2 to_disc = disc.centre - from;
-  const double s = dot(to_disc, along);
-  return s > low && s < high && std::abs(cross(along, to_disc)) < disc.radius;
-}
-
 }  // namespace
 
-View::View(RoomIndex centre, const std::vector<std::vector<Doorway>>& doorways,
-           const std::function<const RoomScene&(RoomIndex)>& scene_of, const std::function<bool(std::size_t)>& is_open) {
-  place(centre, Pose2{}, -1, 0, 0, doorways, scene_of, is_open);
-}
+View::View(RoomIndex centre, Surroundings& surroundings) { place(centre, Pose2{}, {}, 0, surroundings); }
 
-void View::place(RoomIndex room, const Pose2& frame, int from, std::size_t by, int depth,
-                 const std::vector<std::vector<Doorway>>& doorways,
-                 const std::function<const RoomScene&(RoomIndex)>& scene_of,
-                 const std::function<bool(std::size_t)>& is_open) {
-  const auto self = static_cast<int>(rooms_.size());
-  rooms_.push_back({room, frame, moved(scene_of(room), frame), {}});
-  const auto& of_room = doorways[static_cast<std::size_t>(room)];
-  for (std::size_t i = 0; i < of_room.size(); ++i) {
-    const Doorway& doorway = of_room[i];
-    const auto index = static_cast<std::size_t>(self);
-    if (!is_open(doorway.door)) {
-      rooms_[index].scene.panels.push_back({moved(doorway.opening(), frame), 0.9});
-    } else if (from >= 0 && i == by) {
-      rooms_[index].portals.push_back({moved(doorway.opening(), frame), from});
+void View::place(RoomIndex room, const Pose2& frame, const Entrance& entrance, int depth, Surroundings& surroundings) {
+  const std::size_t self = rooms_.size();
+  rooms_.push_back({room, frame, moved(surroundings.scene(room), frame), {}});
+  const std::vector<Doorway>& doorways = surroundings.doorways(room);
+  for (std::size_t i = 0; i < doorways.size(); ++i) {
+    const Doorway& doorway = doorways[i];
+    const Segment opening = moved(doorway.opening(), frame);
+    if (!surroundings.is_open(doorway.door)) {
+      rooms_[self].scene.panels.push_back({opening, kDoorReflectivity});
+      continue;
+    }
+    if (const std::optional<Segment> leaf = surroundings.leaf(room, doorway)) {
+      rooms_[self].scene.panels.push_back({moved(*leaf, frame), kDoorReflectivity});
+    }
+    if (entrance.from >= 0 && i == entrance.doorway) {
+      rooms_[self].portals.push_back({opening, entrance.from});
     } else if (depth < kDoorsDeep) {
-      rooms_[index].portals.push_back({moved(doorway.opening(), frame), static_cast<int>(rooms_.size())});
-      place(doorway.other, frame.compose(doorway.other_frame), self, doorway.twin, depth + 1, doorways, scene_of,
-            is_open);
+      rooms_[self].portals.push_back({opening, static_cast<int>(rooms_.size())});
+      place(doorway.other, frame.compose(doorway.other_frame), {static_cast<int>(self), doorway.twin}, depth + 1,
+            surroundings);
     } else {
-      rooms_[index].portals.push_back({moved(doorway.opening(), frame), -1});
+      rooms_[self].portals.push_back({opening, -1});
     }
   }
 }
@@ -100,9 +93,6 @@ int View::trace(int room, Vec2 from, Vec2 to) const noexcept {
     for (const Panel& panel : here.scene.panels) {
       const double s = crossing(from, along, length, panel.at);
       if (s > entered && s < limit) return -1;
-    }
-    for (const Disc& disc : here.scene.discs) {
-      if (blocks(disc, from, along, entered, limit)) return -1;
     }
     if (through == nullptr) return room;
     if (through->leads_to < 0) return -1;

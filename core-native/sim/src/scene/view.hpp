@@ -1,11 +1,28 @@
 #pragma once
 
-#include <functional>
+#include <optional>
 #include <vector>
 
 #include "scene/room_scene.hpp"
 
 namespace echoway::sim {
+
+/// What a View is put together from.
+class Surroundings {
+ public:
+  Surroundings() = default;
+  Surroundings(const Surroundings&) = delete;
+  Surroundings& operator=(const Surroundings&) = delete;
+  virtual ~Surroundings() = default;
+
+  [[nodiscard]] virtual const std::vector<Doorway>& doorways(RoomIndex room) const = 0;
+  /// In the room's own frame.
+  [[nodiscard]] virtual const RoomScene& scene(RoomIndex room) = 0;
+  /// `door`: index into Building::doors.
+  [[nodiscard]] virtual bool is_open(std::size_t door) const = 0;
+  /// The leaf of an open door where it stands in `room`, if it does.
+  [[nodiscard]] virtual std::optional<Segment> leaf(RoomIndex room, const Doorway& doorway) = 0;
+};
 
 /// What can be heard from one room: the room itself and, placed beside it through open doors, its neighbours and theirs.
 /// All coordinates are in that room's frame. Sound passes from one room into the next only through a doorway, so rooms
@@ -23,9 +40,7 @@ class View {
     std::vector<Portal> portals;
   };
 
-  /// `scene_of` gives a room's scene in its own frame; `is_open` tells whether a door (index into Building::doors) is.
-  View(RoomIndex centre, const std::vector<std::vector<Doorway>>& doorways,
-       const std::function<const RoomScene&(RoomIndex)>& scene_of, const std::function<bool(std::size_t)>& is_open);
+  View(RoomIndex centre, Surroundings& surroundings);
 
   [[nodiscard]] const std::vector<PlacedRoom>& rooms() const noexcept { return rooms_; }
 
@@ -34,10 +49,11 @@ class View {
   [[nodiscard]] int trace(int room, Vec2 from, Vec2 to) const noexcept;
 
  private:
-  void place(RoomIndex room, const Pose2& frame, int from, std::size_t by, int depth,
-             const std::vector<std::vector<Doorway>>& doorways,
-             const std::function<const RoomScene&(RoomIndex)>& scene_of,
-             const std::function<bool(std::size_t)>& is_open);
+  struct Entrance {
+    int from = -1;          // Placed room from which this one is entered; -1 for the centre.
+    std::size_t doorway = 0;  // Of the entered room.
+  };
+  void place(RoomIndex room, const Pose2& frame, const Entrance& entrance, int depth, Surroundings& surroundings);
 
   std::vector<PlacedRoom> rooms_;
 };

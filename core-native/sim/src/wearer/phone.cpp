@@ -15,7 +15,7 @@ void sense_steps(const Trajectory& trajectory, const World& world, Random random
     const double steps = std::floor(moment.stride / kPi);
     if (steps > steps_done && random.uniform() >= world.step_missed) report(moment.time_s);
     steps_done = steps;
-    if (random.uniform() < world.step_invented_per_s * Trajectory::kStep) report(moment.time_s);
+    if (random.uniform() < world.step_invented_per_min / 60.0 * Trajectory::kStep) report(moment.time_s);
   }
 }
 
@@ -36,7 +36,7 @@ void sense_heading(const Trajectory& trajectory, const World& world, Random rand
   constexpr double kPeriod = 0.1;
   for (double t = 0.0; t <= trajectory.duration(); t += kPeriod) {
     const double error = world.heading_offset_rad + world.heading_drift_rad_s * t + degrees(0.5) * random.normal();
-    hints.push_back({t, MotionKind::heading, wrap_angle(trajectory.at(t).yaw + error)});
+    hints.push_back({t, MotionKind::heading, wrap_angle(trajectory.at(t).heading + error)});
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace echoway::sim {
 namespace {
@@ -11,45 +10,59 @@ constexpr double kTurnRate = degrees(100.0);        // Fastest turn of a chest, 
 constexpr double kTurnAcceleration = degrees(400.0);
 constexpr double kTurnGain = 4.0;                   // 1/s: how eagerly the chest follows the way ahead.
 constexpr double kStandAndTurn = degrees(50.0);     // Beyond this the wearer stops to turn.
+constexpr double kTurnPerStep = degrees(50.0);      // Of a wearer who turns on the spot.
 constexpr double kAcceleration = 0.8;               // m/s^2
 constexpr double kSpeedMemory = 4.0;                // s, correlation time of slow speed changes.
+constexpr double kStairs = 12.0;                    // s from one level to the next.
+constexpr double kElevator = 15.0;
 constexpr double kLongest = 24.0 * 3600.0;          // s; a walk longer than a day is a mistake.
+
+}  // namespace
 
 // Moves the wearer in small steps of time and keeps what happened.
 class Walker {
  public:
-  Walker(const FloorPlan& plan, const Walk& walk, Random random, std::vector<Moment>& samples)
-      : plan_(plan), world_(walk.world), cruise_(walk.speed_mps), random_(random), samples_(samples) {}
+  Walker(const FloorPlan& plan, const Walk& walk, Random random, Trajectory& trajectory)
+      : plan_(plan), world_(walk.world), cruise_(walk.speed_mps), random_(random), trajectory_(trajectory) {}
 
   Status start(const Place& place, double heading) {
     const Result<RoomIndex> room = find(place);
     if (!room.ok()) return room.error();
     room_ = *room;
     body_ = {place.at, heading};
-    yaw_ = level_heading();
+    yaw_ = wrap_angle(heading + frame_heading(room_));
     record();
     return success();
+  }
+
+  Status take(const Action& action) {
+    action_ = &action;
+    Status status = std::visit(*this, action);
+    if (status.ok() && time_ > kLongest) return Error{"the walk takes more than a day"};
+    return status;
   }
 
   Status operator()(const GoTo& step) {
     const Result<RoomIndex> room = find(step.to);
     if (!room.ok()) return room.error();
-    const Result<std::vector<Stretch>> way = plan_.route(room_, body_.position, *room, step.to.at);
+    const Result<std::vector<Stretch>> way = plan_.route(room_, body_.position, *room, step.to.at, shut_);
     if (!way.ok()) return way.error();
     for (const Stretch& stretch : *way) {
-      if (stretch.room != room_) pass_door(stretch.room);
       for (const Vec2 point : stretch.points) walk_to(point);
+      if (stretch.exit.to != kNoRoom) pass(stretch.exit);
     }
     return success();
   }
   Status operator()(const Pause& step) {
-    const double until = time_ + step.seconds;
-    while (time_ < until) tick(0.0, 0.0);
+    stand(step.seconds);
     return success();
   }
   Status operator()(const TurnBy& step) {
-    const double goal = yaw_ + step.angle;
-    while (std::abs(goal - yaw_) > degrees(1.0) || std::abs(turn_rate_) > degrees(5.0)) tick(0.0, goal - yaw_);
+    turn(step.angle);
+    return success();
+  }
+  Status operator()(const Face& step) {
+    turn(wrap_angle(step.heading - body_.heading));
     return success();
   }
   Status operator()(const Teleport& step) {
@@ -65,48 +78,89 @@ class Walker {
     cruise_ = step.mps;
     return success();
   }
+  Status operator()(const Cover&) { return happens(); }
+  Status operator()(const SensorFault&) { return happens(); }
+  Status operator()(const SetLights& step) {
+    const Result<RoomIndex> room = find(step.room);
+    return room.ok() ? happens() : Status(room.error());
+  }
+  Status operator()(const SetDoor& step) {
+    const Result<RoomIndex> a = find(step.room_a);
+    if (!a.ok()) return a.error();
+    const Result<RoomIndex> b = find(step.room_b);
+    if (!b.ok()) return b.error();
+    const std::vector<std::size_t> doors = doors_between(plan_.building(), *a, *b);
+    if (doors.empty()) return Error{"no door joins rooms " + step.room_a + " and " + step.room_b};
+    for (const std::size_t door : doors) {
+      trajectory_.doors_used_.insert(door);
+      if (step.open) {
+        shut_.erase(door);
+      } else {
+        shut_.insert(door);
+      }
+    }
+    return happens();
+  }
 
  private:
+  Result<RoomIndex> find(const std::string& id) const {
+    const RoomIndex room = plan_.building().find_room(id);
+    if (room == kNoRoom) return Error{"there is no room " + id + " in the building"};
+    return room;
+  }
   Result<RoomIndex> find(const Place& place) const {
-    const RoomIndex room = plan_.building().find_room(place.room);
-    if (room == kNoRoom) return Error{"there is no room " + place.room + " in the building"};
-    if (!inside(plan_.building().room(room), place.at)) {
+    Result<RoomIndex> room = find(place.room);
+    if (room.ok() && !inside(plan_.building().room(*room), place.at)) {
       return Error{"the place is not inside room " + place.room};
     }
     return room;
   }
 
-  double level_heading() const { return wrap_angle(body_.heading + plan_.building().room(room_).frame.heading); }
+  double frame_heading(RoomIndex room) const { return plan_.building().room(room).frame.heading; }
 
-  void pass_door(RoomIndex next) {
-    const Doorway* nearest = nullptr;
-    for (const Doorway& doorway : plan_.doorways(room_)) {
-      if (doorway.other != next) continue;
-      if (nearest == nullptr ||
-          distance(doorway.centre, body_.position) < distance(nearest->centre, body_.position)) {
-        nearest = &doorway;
-      }
+  Status happens() {
+    trajectory_.events_.push_back({time_, action_});
+    return success();
+  }
+
+  void pass(const Passage& passage) {
+    if (passage.doorway >= 0) {
+      const Doorway& doorway = plan_.doorways(room_)[static_cast<std::size_t>(passage.doorway)];
+      body_ = doorway.other_frame.relative(body_);
+      trajectory_.doors_used_.insert(doorway.door);
+    } else {
+      const LevelLink& link = plan_.building().links[static_cast<std::size_t>(passage.link)];
+      stand(link.kind == LevelLinkKind::stairs ? kStairs : kElevator);
+      body_ = {passage.arrive_at, wrap_angle(body_.heading + frame_heading(room_) - frame_heading(passage.to))};
     }
-    if (nearest != nullptr) body_ = nearest->other_frame.relative(body_);
-    room_ = next;
+    room_ = passage.to;
+  }
+
+  void stand(double seconds) {
+    const double until = std::min(time_ + seconds, kLongest + 1.0);
+    while (time_ < until) tick(0.0, 0.0);
+  }
+
+  void turn(double angle) {
+    const double goal = yaw_ + angle;
+    while (std::abs(goal - yaw_) > degrees(1.0) || std::abs(turn_rate_) > degrees(5.0)) tick(0.0, goal - yaw_);
   }
 
   void walk_to(Vec2 point) {
-    for (;;) {
+    while (time_ <= kLongest) {
       const Vec2 ahead = point - body_.position;
       const double left = norm(ahead);
       if (left < 1e-3) return;
       const double error = wrap_angle(std::atan2(ahead.y, ahead.x) - body_.heading);
       const double willing = std::abs(error) > kStandAndTurn ? 0.0 : std::cos(error);
       tick(cruise_ * willing, error, ahead, left);
-      if (time_ > kLongest) return;
     }
   }
 
   // One step of time: chest towards `turn` (what is left to turn), feet at most `left` along `ahead`.
-  void tick(double wanted_speed, double turn, Vec2 ahead = {}, double left = 0.0) {
+  void tick(double wanted_speed, double to_turn, Vec2 ahead = {}, double left = 0.0) {
     constexpr double dt = Trajectory::kStep;
-    const double wanted_rate = std::clamp(kTurnGain * turn, -kTurnRate, kTurnRate);
+    const double wanted_rate = std::clamp(kTurnGain * to_turn, -kTurnRate, kTurnRate);
     turn_rate_ += std::clamp(wanted_rate - turn_rate_, -kTurnAcceleration * dt, kTurnAcceleration * dt);
     body_.heading = wrap_angle(body_.heading + turn_rate_ * dt);
     yaw_ += turn_rate_ * dt;
@@ -114,11 +168,13 @@ class Walker {
     mood_ += -mood_ * dt / kSpeedMemory + world_.speed_variation * std::sqrt(2.0 * dt / kSpeedMemory) * random_.normal();
     const double target = wanted_speed * std::max(0.3, 1.0 + mood_);
     speed_ += std::clamp(target - speed_, -2.0 * kAcceleration * dt, kAcceleration * dt);
+    double moved = 0.0;
     if (left > 0.0) {
-      const double moved = std::min(left, speed_ * dt);
+      moved = std::min(left, speed_ * dt);
       body_.position = body_.position + (moved / left) * ahead;
-      stride_ += kPi * moved / world_.step_length_m;
     }
+    // Feet that turn on the spot step as well, and the step detector cannot tell.
+    stride_ += std::max(kPi * moved / world_.step_length_m, kPi * std::abs(turn_rate_) * dt / kTurnPerStep);
     time_ += dt;
     record();
   }
@@ -134,16 +190,19 @@ class Walker {
     moment.pose.heading = wrap_angle(body_.heading + sway);
     moment.pose.position = body_.position + aside * perpendicular(unit_from_angle(body_.heading));
     moment.yaw = yaw_ + sway;
+    moment.heading = wrap_angle(moment.pose.heading + frame_heading(room_));
     moment.speed = speed_;
     moment.stride = stride_;
-    samples_.push_back(moment);
+    trajectory_.samples_.push_back(moment);
   }
 
   const FloorPlan& plan_;
   const World& world_;
   double cruise_;
   Random random_;
-  std::vector<Moment>& samples_;
+  Trajectory& trajectory_;
+  std::set<std::size_t> shut_;
+  const Action* action_ = nullptr;
   RoomIndex room_ = kNoRoom;
   Pose2 body_{};
   double time_ = 0.0;
@@ -154,14 +213,15 @@ class Walker {
   double stride_ = 0.0;
 };
 
-}  // namespace
-
 Result<Trajectory> Trajectory::follow(const FloorPlan& plan, const Walk& walk, Random random) {
   Trajectory trajectory;
-  Walker walker(plan, walk, random, trajectory.samples_);
-  if (Status status = walker.start(walk.start, walk.start_heading); !status.ok()) return status.error();
+  Walker walker(plan, walk, random, trajectory);
+  const auto at = [&walk](const Status& status, int line) {
+    return Error{status.error().message, walk.file, walk.file.empty() ? 0 : line};
+  };
+  if (Status status = walker.start(walk.start, walk.start_heading); !status.ok()) return at(status, walk.start_line);
   for (const WalkStep& step : walk.steps) {
-    if (Status status = std::visit(walker, step); !status.ok()) return status.error();
+    if (Status status = walker.take(step.action); !status.ok()) return at(status, step.line);
   }
   return trajectory;
 }
@@ -173,16 +233,27 @@ Moment Trajectory::at(double time_s) const {
   const Moment& a = samples_[i];
   const Moment& b = samples_[std::min(i + 1, last)];
   const double f = position - static_cast<double>(i);
-  const bool jump = a.room != b.room || distance(a.pose.position, b.pose.position) > 0.2;
-  if (jump) return f < 0.5 ? a : b;
-  Moment moment = a;
+  const bool jump = a.room != b.room || distance(a.pose.position, b.pose.position) > 0.1;
+  Moment moment = jump && f >= 0.5 ? b : a;
   moment.time_s = time_s;
+  if (jump) return moment;
   moment.pose.position = a.pose.position + f * (b.pose.position - a.pose.position);
   moment.pose.heading = wrap_angle(a.pose.heading + f * wrap_angle(b.pose.heading - a.pose.heading));
   moment.yaw += f * (b.yaw - a.yaw);
+  moment.heading = wrap_angle(a.heading + f * wrap_angle(b.heading - a.heading));
   moment.stride += f * (b.stride - a.stride);
   moment.speed += f * (b.speed - a.speed);
   return moment;
+}
+
+std::vector<std::size_t> doors_between(const Building& building, RoomIndex a, RoomIndex b) {
+  std::vector<std::size_t> doors;
+  for (std::size_t i = 0; i < building.doors.size(); ++i) {
+    const Door& door = building.doors[i];
+    const bool joins = (door.room_a == a && door.room_b == b) || (door.room_a == b && door.room_b == a);
+    if (joins) doors.push_back(i);
+  }
+  return doors;
 }
 
 }  // namespace echoway::sim

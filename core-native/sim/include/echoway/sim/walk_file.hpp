@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "echoway/result.hpp"
+#include "echoway/sim/walk.hpp"
+
+namespace echoway::sim {
+
+/// Reads a walk file (docs/walk-files.md). Fails with file:line of the first line that makes no sense.
+Result<Walk> read_walk(const std::filesystem::path& file);
+
+/// The same from text; `file` is only named in errors.
+Result<Walk> parse_walk(std::string_view text, const std::string& file);
+
+/// The walk as a file that parse_walk() reads back.
+[[nodiscard]] std::string format_walk(const Walk& walk);
+
+}  // namespace echoway::sim

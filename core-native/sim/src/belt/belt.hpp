@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "acoustics/echo_paths.hpp"
+#include "belt/ballasts.hpp"
+#include "belt/faults.hpp"
+#include "scene/floor_world.hpp"
+#include "scene/passers_by.hpp"
+
+namespace echoway::sim {
+
+/// The worn belt: fires a sensor and says what its ranging module would have said.
+class Belt {
+ public:
+  Belt(const FloorPlan& plan, const Walk& walk, const Trajectory& trajectory, std::uint64_t seed);
+
+  /// The `index`-th firing of the walk. Moments must not go back in time.
+  Firing fire(const Moment& moment, std::int64_t index);
+
+  void happens(const Action& action, double now_s);
+
+ private:
+  [[nodiscard]] std::optional<double> measure(const Moment& moment, int sensor, Random& random);
+  [[nodiscard]] std::optional<double> late_echo(Random& random) const;
+  void listen_for_previous(const Sensor& sensor);
+  [[nodiscard]] double temperature(const Moment& moment) const;
+
+  const FloorPlan& plan_;
+  const Walk& walk_;
+  std::uint64_t seed_;
+  Receiver receiver_;
+  FloorWorld floor_;
+  PassersBy people_;
+  Ballasts ballasts_;
+  SensorFaults faults_;
+  Vec2 warmer_{};                    // Unit vector towards the warm end, in the level's frame.
+  std::vector<Obstacle> obstacles_;
+  std::vector<Arrival> arrivals_;
+  std::vector<Arrival> previous_;    // Of the firing before: they may still be on their way.
+};
+
+}  // namespace echoway::sim

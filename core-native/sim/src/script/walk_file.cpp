@@ -1,0 +1,322 @@
+#include "echoway/sim/walk_file.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "script/words.hpp"
+
+namespace echoway::sim {
+namespace {
+
+constexpr double kFarthest = 1e5;     // Metres; a place farther off is a slip of the pen.
+constexpr double kLongest = 86400.0;  // Seconds.
+
+class Parser {
+ public:
+  explicit Parser(const std::string& file) { walk_.file = file; }
+
+  Status line(std::string_view text, int number) {
+    line_ = number;
+    Words words(text, walk_.file, number);
+    if (words.empty()) return success();
+    const std::string keyword = words.keyword();
+    Status status = header(keyword, words);
+    if (status.ok() && !known_) status = action(keyword, words);
+    if (!status.ok()) return status;
+    return words.finish();
+  }
+
+  Result<Walk> finish() {
+    if (walk_.start.room.empty()) {
+      return Error{"the walk has no start; add a line `start ROOM x y heading`", walk_.file, 0};
+    }
+    return std::move(walk_);
+  }
+
+ private:
+  // Lines about the whole walk. Leaves known_ false when the keyword is not one of them.
+  Status header(const std::string& keyword, Words& words) {
+    known_ = true;
+    if (keyword == "building") return words.text("a folder", walk_.building);
+    if (keyword == "seed") return words.seed(walk_.seed);
+    if (keyword == "units") return units(words);
+    if (keyword == "profile") return profile(words);
+    if (keyword == "world") return world(words);
+    if (keyword == "belt") return belt(words);
+    if (keyword == "start") return start(words);
+    known_ = false;
+    return success();
+  }
+
+  Status action(const std::string& keyword, Words& words) {
+    if (walk_.start.room.empty()) {
+      return words.error("`" + keyword + "` comes before `start ROOM x y heading`, or is no keyword of a walk file");
+    }
+    if (keyword == "to") return to(words);
+    if (keyword == "pause") return one_number<Pause>(words, "seconds", 0.0, kLongest, 1.0, &Pause::seconds);
+    if (keyword == "turn") return one_number<TurnBy>(words, "degrees", -36000.0, 36000.0, kDegree, &TurnBy::angle);
+    if (keyword == "face") return one_number<Face>(words, "degrees", -36000.0, 36000.0, kDegree, &Face::heading);
+    if (keyword == "speed") return speed(words);
+    if (keyword == "teleport") return teleport(words);
+    if (keyword == "cover") return cover(words);
+    if (keyword == "dead") return fault(words, SensorFault::Kind::dead);
+    if (keyword == "stuck") return fault(words, SensorFault::Kind::stuck);
+    if (keyword == "mend") return fault(words, SensorFault::Kind::mended);
+    if (keyword == "open") return door(words, true);
+    if (keyword == "close") return door(words, false);
+    if (keyword == "lights") return lights(words);
+    return words.error("`" + keyword + "` is no keyword of a walk file");
+  }
+
+  Status units(Words& words) {
+    std::string unit;
+    if (Status status = words.text("m or ft", unit); !status.ok()) return status;
+    if (unit != "m" && unit != "ft") return words.error("units are m or ft, not `" + unit + "`");
+    unit_ = unit == "ft" ? kMetresPerFoot : 1.0;
+    return success();
+  }
+
+  Status profile(Words& words) {
+    std::string name;
+    if (Status status = words.text("empty, furnished or hard", name); !status.ok()) return status;
+    const std::optional<Profile> profile = profile_of(name);
+    if (!profile) return words.error("a profile is empty, furnished or hard, not `" + name + "`");
+    if (world_touched_) return words.error("`profile` must come before the first `world` line, which it would undo");
+    walk_.world = make_world(*profile);
+    return success();
+  }
+
+  Status world(Words& words) {
+    std::string name;
+    if (Status status = words.text("a parameter", name); !status.ok()) return status;
+    const WorldParameter* parameter = find_world_parameter(name);
+    if (parameter == nullptr) {
+      return words.error("the world has no parameter `" + name + "`; `echoway simulate --parameters` lists them");
+    }
+    double value = 0.0;
+    if (Status status = words.number(name, parameter->low, parameter->high, value); !status.ok()) return status;
+    parameter->set(walk_.world, value);
+    world_touched_ = true;
+    return success();
+  }
+
+  Status belt(Words& words) {
+    std::string name;
+    if (Status status = words.text("sensors, radius_m, beam_deg or slot_s", name); !status.ok()) return status;
+    double value = 0.0;
+    const auto read = [&](double low, double high) { return words.number(name, low, high, value); };
+    if (name == "sensors") {
+      int sensors = 0;
+      Status status = words.integer(name, 1, kMaxSensors, sensors);
+      if (status.ok()) walk_.belt.sensors = sensors;
+      return status;
+    }
+    if (name == "radius_m") {
+      Status status = read(0.0, 1.0);
+      if (status.ok()) walk_.belt.radius_m = value;
+      return status;
+    }
+    if (name == "beam_deg") {
+      Status status = read(1.0, 180.0);
+      if (status.ok()) walk_.belt.beam_rad = degrees(value);
+      return status;
+    }
+    if (name == "slot_s") {
+      Status status = read(0.001, 10.0);
+      if (status.ok()) walk_.belt.slot_s = value;
+      return status;
+    }
+    return words.error("a belt has sensors, radius_m, beam_deg and slot_s, but no `" + name + "`");
+  }
+
+  Status start(Words& words) {
+    if (!walk_.start.room.empty()) return words.error("the walk has started already; move with `to` or `teleport`");
+    walk_.start_line = line_;
+    if (Status status = place(words, walk_.start); !status.ok()) return status;
+    return heading(words, walk_.start_heading);
+  }
+
+  Status to(Words& words) {
+    GoTo step;
+    if (Status status = place(words, step.to); !status.ok()) return status;
+    return add(step);
+  }
+
+  Status teleport(Words& words) {
+    Teleport step;
+    if (Status status = place(words, step.to); !status.ok()) return status;
+    if (Status status = heading(words, step.heading); !status.ok()) return status;
+    return add(step);
+  }
+
+  Status speed(Words& words) {
+    double value = 0.0;
+    const char* const what = unit_ == 1.0 ? "metres a second" : "feet a second";
+    if (Status status = words.number(what, 0.05 / unit_, 5.0 / unit_, value); !status.ok()) return status;
+    if (walk_.steps.empty()) {
+      walk_.speed_mps = value * unit_;
+      return success();
+    }
+    return add(SetSpeed{value * unit_});
+  }
+
+  Status cover(Words& words) {
+    Cover step;
+    if (Status status = words.sensors(walk_.belt.sensors, true, step.sensors); !status.ok()) return status;
+    if (Status status = words.number("seconds", 0.0, kLongest, step.seconds); !status.ok()) return status;
+    return add(step);
+  }
+
+  Status fault(Words& words, SensorFault::Kind kind) {
+    SensorFault step{kind, {}, 1.0};
+    if (Status status = words.sensors(walk_.belt.sensors, false, step.sensors); !status.ok()) return status;
+    if (kind == SensorFault::Kind::stuck) {
+      if (Status status = words.number("range", 0.0, 100.0, step.range_m); !status.ok()) return status;
+      step.range_m *= unit_;
+    }
+    return add(step);
+  }
+
+  Status door(Words& words, bool open) {
+    SetDoor step{{}, {}, open};
+    if (Status status = words.text("a room", step.room_a); !status.ok()) return status;
+    if (Status status = words.text("the room behind the door", step.room_b); !status.ok()) return status;
+    return add(step);
+  }
+
+  Status lights(Words& words) {
+    SetLights step;
+    std::string state;
+    if (Status status = words.text("a room", step.room); !status.ok()) return status;
+    if (Status status = words.text("on or off", state); !status.ok()) return status;
+    if (state != "on" && state != "off") return words.error("lights are on or off, not `" + state + "`");
+    step.on = state == "on";
+    return add(step);
+  }
+
+  Status place(Words& words, Place& place) {
+    if (Status status = words.text("a room", place.room); !status.ok()) return status;
+    double x = 0.0;
+    double y = 0.0;
+    if (Status status = words.number("x", -kFarthest, kFarthest, x); !status.ok()) return status;
+    if (Status status = words.number("y", -kFarthest, kFarthest, y); !status.ok()) return status;
+    place.at = {x * unit_, y * unit_};
+    return success();
+  }
+
+  Status heading(Words& words, double& radians) {
+    double value = 0.0;
+    if (Status status = words.number("heading in degrees", -36000.0, 36000.0, value); !status.ok()) return status;
+    radians = wrap_angle(degrees(value));
+    return success();
+  }
+
+  template <class T>
+  Status one_number(Words& words, const char* what, double low, double high, double unit, double T::*field) {
+    double value = 0.0;
+    if (Status status = words.number(what, low, high, value); !status.ok()) return status;
+    T step;
+    step.*field = value * unit;
+    return add(step);
+  }
+
+  template <class T>
+  Status add(T step) {
+    walk_.add(std::move(step), line_);
+    return success();
+  }
+
+  static constexpr double kDegree = kPi / 180.0;
+  Walk walk_;
+  double unit_ = 1.0;
+  int line_ = 0;
+  bool known_ = false;
+  bool world_touched_ = false;
+};
+
+std::string number(double value) {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, "%.10g", value);
+  return buffer;
+}
+
+std::string place(const Place& place) { return place.room + " " + number(place.at.x) + " " + number(place.at.y); }
+
+std::string list(const std::vector<int>& sensors) {
+  std::string text;
+  for (const int sensor : sensors) {
+    if (!text.empty()) text += ',';
+    text += std::to_string(sensor);
+  }
+  return text.empty() ? "all" : text;
+}
+
+struct Formatter {
+  std::string operator()(const GoTo& step) const { return "to " + place(step.to); }
+  std::string operator()(const Pause& step) const { return "pause " + number(step.seconds); }
+  std::string operator()(const TurnBy& step) const { return "turn " + number(to_degrees(step.angle)); }
+  std::string operator()(const Face& step) const { return "face " + number(to_degrees(step.heading)); }
+  std::string operator()(const Teleport& step) const {
+    return "teleport " + place(step.to) + " " + number(to_degrees(step.heading));
+  }
+  std::string operator()(const SetSpeed& step) const { return "speed " + number(step.mps); }
+  std::string operator()(const Cover& step) const { return "cover " + list(step.sensors) + " " + number(step.seconds); }
+  std::string operator()(const SensorFault& step) const {
+    switch (step.kind) {
+      case SensorFault::Kind::dead: return "dead " + list(step.sensors);
+      case SensorFault::Kind::stuck: return "stuck " + list(step.sensors) + " " + number(step.range_m);
+      case SensorFault::Kind::mended: break;
+    }
+    return "mend " + list(step.sensors);
+  }
+  std::string operator()(const SetDoor& step) const {
+    return (step.open ? "open " : "close ") + step.room_a + " " + step.room_b;
+  }
+  std::string operator()(const SetLights& step) const { return "lights " + step.room + (step.on ? " on" : " off"); }
+};
+
+}  // namespace
+
+Result<Walk> parse_walk(std::string_view text, const std::string& file) {
+  Parser parser(file);
+  int number = 0;
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    if (Status status = parser.line(text.substr(0, end), ++number); !status.ok()) return status.error();
+    text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
+  }
+  return parser.finish();
+}
+
+Result<Walk> read_walk(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in || std::filesystem::is_directory(file)) return Error{"cannot be read; is the path right?", file.string(), 0};
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  return parse_walk(text, file.string());
+}
+
+std::string format_walk(const Walk& walk) {
+  std::ostringstream out;
+  if (!walk.building.empty()) out << "building " << walk.building << '\n';
+  out << "seed " << walk.seed << '\n';
+  const World usual;
+  for (const WorldParameter& parameter : world_parameters()) {
+    if (parameter.get(walk.world) == parameter.get(usual)) continue;
+    out << "world " << parameter.name << ' ' << number(parameter.get(walk.world)) << '\n';
+  }
+  const BeltConfig belt;
+  if (walk.belt.sensors != belt.sensors) out << "belt sensors " << walk.belt.sensors << '\n';
+  if (walk.belt.radius_m != belt.radius_m) out << "belt radius_m " << number(walk.belt.radius_m) << '\n';
+  if (walk.belt.beam_rad != belt.beam_rad) out << "belt beam_deg " << number(to_degrees(walk.belt.beam_rad)) << '\n';
+  if (walk.belt.slot_s != belt.slot_s) out << "belt slot_s " << number(walk.belt.slot_s) << '\n';
+  out << "start " << place(walk.start) << ' ' << number(to_degrees(walk.start_heading)) << '\n';
+  out << "speed " << number(walk.speed_mps) << '\n';
+  for (const WalkStep& step : walk.steps) out << std::visit(Formatter{}, step.action) << '\n';
+  return out.str();
+}
+
+}  // namespace echoway::sim

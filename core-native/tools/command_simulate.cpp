@@ -1,0 +1,142 @@
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "echoway/building/loader.hpp"
+#include "echoway/io/logs.hpp"
+#include "echoway/sim/random_walk.hpp"
+#include "echoway/sim/simulate.hpp"
+#include "echoway/sim/walk_file.hpp"
+
+namespace echoway::tools {
+namespace {
+
+constexpr int kBadInput = 2;
+
+struct Options {
+  std::string building;
+  std::string walk;
+  std::string out;
+  std::string profile = "furnished";
+  std::vector<std::string> world;
+  std::optional<std::uint64_t> seed;
+  double random_s = 0.0;
+  bool parameters = false;
+};
+
+void print_parameters() {
+  const sim::World usual = sim::make_world(sim::Profile::furnished);
+  const sim::World empty = sim::make_world(sim::Profile::empty);
+  const sim::World hard = sim::make_world(sim::Profile::hard);
+  fmt::print("{:<30}{:>10}{:>10}{:>10}  {}\n", "parameter", "furnished", "empty", "hard", "");
+  for (const sim::WorldParameter& parameter : sim::world_parameters()) {
+    fmt::print("{:<30}{:>10.4g}{:>10.4g}{:>10.4g}  {}\n", parameter.name, parameter.get(usual), parameter.get(empty),
+               parameter.get(hard), parameter.help);
+  }
+}
+
+Status set_parameter(const std::string& assignment, sim::World& world) {
+  const auto at = [&](const std::string& message) { return Error{"--world " + assignment + ": " + message}; };
+  const std::size_t equals = assignment.find('=');
+  const sim::WorldParameter* parameter = sim::find_world_parameter(assignment.substr(0, equals));
+  if (equals == std::string::npos) return at("should be name=value");
+  if (parameter == nullptr) return at("there is no such parameter; --parameters lists them");
+  double value = 0.0;
+  try {
+    std::size_t used = 0;
+    value = std::stod(assignment.substr(equals + 1), &used);
+    if (used != assignment.size() - equals - 1) return at("the value is no number");
+  } catch (const std::exception&) {
+    return at("the value is no number");
+  }
+  if (!(value >= parameter->low && value <= parameter->high)) {
+    return at(fmt::format("the value must be from {:g} to {:g}", parameter->low, parameter->high));
+  }
+  parameter->set(world, value);
+  return success();
+}
+
+// A walk file names its building relative to itself.
+std::string building_of(const Options& options, const sim::Walk& walk) {
+  if (!options.building.empty() || walk.building.empty()) return options.building;
+  return (std::filesystem::path(options.walk).parent_path() / walk.building).lexically_normal().string();
+}
+
+Result<sim::Walk> get_walk(const Options& options) {
+  if (options.random_s > 0.0) {
+    if (options.building.empty()) return Error{"--random needs --building"};
+    const Result<Building> building = load_building(options.building);
+    if (!building.ok()) return building.error();
+    const std::optional<sim::Profile> profile = sim::profile_of(options.profile);
+    if (!profile) return Error{"--profile is empty, furnished or hard, not " + options.profile};
+    sim::RandomWalkOptions wanted;
+    wanted.duration_s = options.random_s;
+    wanted.profile = *profile;
+    return sim::random_walk(*building, wanted, options.seed.value_or(1));
+  }
+  if (options.walk.empty()) return Error{"say which walk: --walk FILE, or --random SECONDS"};
+  return sim::read_walk(options.walk);
+}
+
+Status write_text(const std::string& text, const std::filesystem::path& file) {
+  const std::filesystem::path beside = file.string() + ".part";
+  std::FILE* out = std::fopen(beside.c_str(), "wb");
+  if (out == nullptr) return Error{"cannot be written", file.string(), 0};
+  const bool written = std::fwrite(text.data(), 1, text.size(), out) == text.size();
+  if (std::fclose(out) != 0 || !written) return Error{"cannot be written", file.string(), 0};
+  std::error_code error;
+  std::filesystem::rename(beside, file, error);
+  return error ? Status(Error{"cannot be written", file.string(), 0}) : success();
+}
+
+Status simulate(const Options& options) {
+  Result<sim::Walk> walk = get_walk(options);
+  if (!walk.ok()) return walk.error();
+  for (const std::string& assignment : options.world) {
+    if (Status status = set_parameter(assignment, walk->world); !status.ok()) return status;
+  }
+  const std::string dir = building_of(options, *walk);
+  if (dir.empty()) return Error{"say in which building: --building DIR, or a line `building DIR` in the walk"};
+  const Result<Building> building = load_building(dir);
+  if (!building.ok()) return building.error();
+  const std::uint64_t seed = options.random_s > 0.0 ? walk->seed : options.seed.value_or(walk->seed);
+  const Result<sim::Simulation> run = sim::simulate(*building, *walk, seed);
+  if (!run.ok()) return run.error();
+  for (const Status& status :
+       {write_scan_log(run->scans, options.out + ".scans.csv"), write_motion_log(run->motion, options.out + ".motion.csv"),
+        write_truth_log(run->truth, options.out + ".truth.csv"),
+        options.random_s > 0.0 ? write_text(sim::format_walk(*walk), options.out + ".walk") : success()}) {
+    if (!status.ok()) return status;
+  }
+  return success();
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand("simulate", "Walk a wearer through a building: scans, motion hints and the truth");
+  auto options = std::make_shared<Options>();
+  command->add_option("--building", options->building, "Building folder (default: the one that the walk names)");
+  command->add_option("--walk", options->walk, "Walk file (docs/walk-files.md)");
+  command->add_option("--random", options->random_s, "Instead of a walk file: a random walk of about so many seconds")
+      ->check(CLI::Range(1.0, 36000.0));
+  command->add_option("--profile", options->profile, "Of a random walk: empty, furnished or hard");
+  command->add_option("--world", options->world, "Change a parameter of the world: name=value (repeatable)")
+      ->allow_extra_args(false);
+  command->add_option("--seed", options->seed, "Instead of the walk's own");
+  command->add_option("--out", options->out, "Writes PREFIX.scans.csv, PREFIX.motion.csv and PREFIX.truth.csv");
+  command->add_flag("--parameters", options->parameters, "List the world's parameters and leave");
+  command->callback([options, &status] {
+    if (options->parameters) return print_parameters();
+    const Status done = options->out.empty() ? Status(Error{"say where to write: --out PREFIX"}) : simulate(*options);
+    if (done.ok()) return;
+    fmt::print(stderr, "{}\n", done.error().to_string());
+    status = kBadInput;
+  });
+}
+
+}  // namespace echoway::tools
