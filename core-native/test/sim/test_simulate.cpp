@@ -10,7 +10,9 @@ namespace {
 
 TEST(Simulate, GivesTheSameBytesForTheSameSeed) {
   const Building building = three_rooms();
-  const Walk walk = random_walk(building, {.duration_s = 20.0}, 5);
+  RandomWalkOptions options;
+  options.duration_s = 20.0;
+  const Walk walk = random_walk(building, options, 5);
   const Result<Simulation> one = simulate(building, walk, 9);
   const Result<Simulation> two = simulate(building, walk, 9);
   const Result<Simulation> other = simulate(building, walk, 10);
@@ -30,7 +32,8 @@ TEST(Simulate, GivesTheSameBytesForTheSameSeed) {
 TEST(Simulate, WalksThroughDoorsIntoEveryRoomNamed) {
   Walk walk;
   walk.start = {"hall", {1.0, 1.0}};
-  walk.steps = {GoTo{{"office", {1.0, 1.0}}}, GoTo{{"store", {1.0, 1.0}}}};
+  walk.add(GoTo{{"office", {1.0, 1.0}}});
+  walk.add(GoTo{{"store", {1.0, 1.0}}});
   const Result<Simulation> run = simulate(three_rooms(), walk);
   ASSERT_TRUE(run.ok()) << run.error().to_string();
   std::vector<std::string> rooms;
@@ -44,7 +47,7 @@ TEST(Simulate, WalksThroughDoorsIntoEveryRoomNamed) {
 TEST(Simulate, SaysWhichRoomItDoesNotKnow) {
   Walk walk;
   walk.start = {"hall", {1.0, 1.0}};
-  walk.steps = {GoTo{{"cellar", {1.0, 1.0}}}};
+  walk.add(GoTo{{"cellar", {1.0, 1.0}}});
   const Result<Simulation> run = simulate(three_rooms(), walk);
   ASSERT_FALSE(run.ok());
   EXPECT_NE(run.error().message.find("cellar"), std::string::npos);

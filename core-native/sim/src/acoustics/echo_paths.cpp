@@ -8,12 +8,17 @@ namespace {
 
 constexpr double kNearest = 0.02;      // Things closer to the face than this count as this far, metres.
 constexpr double kFaintest = 0.1;      // Share of the threshold below which a path is not worth its while.
-constexpr double kBeamSlope = 0.4663;  // Planes serve as mirrors up to 25 degrees off the axis (tangent).
+constexpr double kFan = degrees(20.0);       // Planes serve as mirrors up to this far off the axis;
+constexpr double kFanStep = degrees(1.0);    // they are found by rays so far apart.
+constexpr double kDirectBeam = degrees(70.0);    // Other rooms are heard when their doorway lies so near the axis,
+constexpr double kMirroredBeam = degrees(25.0);  // by way of a mirror, so near.
+constexpr double kAtTheDoor = 0.3;           // Nearer than this, both rooms of a doorway are heard.
 constexpr double kBeyondEnd = 0.3;     // A plane's reflection point may lie this far beyond its end, metres.
 
 // Where the world is looked at from: the transducer itself or its image behind a plane.
 struct Vantage {
   Vec2 at{};
+  Vec2 axis{};
   const Panel* mirror = nullptr;
   int mirror_room = 0;
   Vec2 along{};  // Unit vector of the mirror.
@@ -54,23 +59,26 @@ class PathFinder {
         arrivals_(arrivals) {}
 
   void look_straight() {
-    look_from({sensor_.face, nullptr, 0, {}});
+    look_from({sensor_.face, sensor_.axis, nullptr, 0, {}});
     for (const Obstacle& obstacle : obstacles_) obstacle_echo(obstacle);
   }
 
-  // Planes that the beam meets askew pass it on.
+  // Planes that the beam meets askew pass it on. A fan of rays finds those in sight (Dudek's model, thesis section 4.3).
   void look_by_mirrors() {
     std::vector<Mirror> mirrors;
-    for (std::size_t i = 0; i < view_.rooms().size(); ++i) {
-      for (const Panel& panel : view_.rooms()[i].scene.panels) {
-        const double length = panel.at.length();
-        if (length < 0.05 || !in_beam(panel.at)) continue;
-        const Mirror mirror{&panel, static_cast<int>(i), (1.0 / length) * panel.at.direction()};
-        if (distance(image(sensor_.face, mirror), sensor_.face) > 2.0 * kNearest) mirrors.push_back(mirror);
-      }
+    for (double angle = -kFan; angle <= kFan; angle += kFanStep) {
+      const Vec2 e = unit_from_angle(angle);
+      const Vec2 ray{sensor_.axis.x * e.x - sensor_.axis.y * e.y, sensor_.axis.y * e.x + sensor_.axis.x * e.y};
+      const View::Hit hit = view_.first_panel(sensor_.room, sensor_.face, ray, 0.5 * max_path_);
+      if (hit.panel == nullptr || (!mirrors.empty() && mirrors.back().panel == hit.panel)) continue;
+      const bool known =
+          std::any_of(mirrors.begin(), mirrors.end(), [&](const Mirror& mirror) { return mirror.panel == hit.panel; });
+      const Mirror mirror{hit.panel, hit.room, (1.0 / hit.panel->at.length()) * hit.panel->at.direction()};
+      if (!known && distance(image(sensor_.face, mirror), sensor_.face) > 2.0 * kNearest) mirrors.push_back(mirror);
     }
     for (const Mirror& mirror : mirrors) {
-      look_from({image(sensor_.face, mirror), mirror.panel, mirror.room, mirror.along});
+      look_from({image(sensor_.face, mirror), reflect(sensor_.axis, mirror.along), mirror.panel, mirror.room,
+                 mirror.along});
     }
     for (const Mirror& first : mirrors) {
       for (const Mirror& second : mirrors) {
@@ -80,16 +88,34 @@ class PathFinder {
   }
 
  private:
-  void look_from(const Vantage& vantage) {
-    for (std::size_t i = 0; i < view_.rooms().size(); ++i) {
-      const int room = static_cast<int>(i);
-      const RoomScene& scene = view_.rooms()[i].scene;
-      for (const Panel& panel : scene.panels) {
-        if (&panel != vantage.mirror) plane(vantage, room, panel);
-      }
-      for (const Corner& corner : scene.corners) corner_echo(vantage, room, corner);
-      for (const Scatterer& scatterer : scene.scatterers) scatter(vantage, room, scatterer);
+  void look_from(const Vantage& vantage) { look_into(vantage, vantage.mirror == nullptr ? sensor_.room : vantage.mirror_room, -1); }
+
+  // At a room and, through the doorways that lie in the beam, at those behind.
+  void look_into(const Vantage& vantage, int room, int came_from) {
+    const View::PlacedRoom& placed = view_.rooms()[static_cast<std::size_t>(room)];
+    for (const Panel& panel : placed.scene.panels) {
+      if (&panel != vantage.mirror) plane(vantage, room, panel);
     }
+    for (const Corner& corner : placed.scene.corners) corner_echo(vantage, room, corner);
+    for (const Scatterer& scatterer : placed.scene.scatterers) scatter(vantage, room, scatterer);
+    const double beam = vantage.mirror == nullptr ? kDirectBeam : kMirroredBeam;
+    for (const View::Portal& portal : placed.portals) {
+      if (portal.leads_to < 0 || portal.leads_to == came_from || !in_beam(vantage, portal.opening, beam)) continue;
+      look_into(vantage, portal.leads_to, room);
+    }
+  }
+
+  // Whether any of the segment lies within `half_width` of the vantage's axis and near enough.
+  bool in_beam(const Vantage& vantage, const Segment& segment, double half_width) const {
+    if (2.0 * distance(segment, vantage.at) > max_path_) return false;
+    const auto angle = [&](Vec2 p) {
+      const Vec2 d = p - vantage.at;
+      return std::atan2(cross(vantage.axis, d), dot(vantage.axis, d));
+    };
+    const double a = angle(segment.a);
+    const double b = angle(segment.b);
+    const bool across = a * b < 0.0 && std::abs(a - b) < kPi;
+    return across || std::min(std::abs(a), std::abs(b)) < half_width || distance(segment, vantage.at) < kAtTheDoor;
   }
 
   // Keeps `path_` when sound that leaves and arrives in the given directions (unit vectors away from the transducer) can
@@ -210,17 +236,6 @@ class PathFinder {
     const Vec2 front = sensor_.face + (d / std::max(away, d)) * (obstacle.centre - sensor_.face);
     if (view_.trace(sensor_.room, sensor_.face, front) < 0 || hidden_by_obstacle(sensor_.face, front, &obstacle)) return;
     arrivals_.push_back(path_);
-  }
-
-  bool in_beam(const Segment& segment) const {
-    const auto local = [&](Vec2 p) {
-      const Vec2 d = p - sensor_.face;
-      return Vec2{dot(d, sensor_.axis), cross(sensor_.axis, d)};
-    };
-    const Vec2 a = local(segment.a);
-    const Vec2 b = local(segment.b);
-    if (a.x <= 0.0 && b.x <= 0.0) return false;
-    return !(a.y > kBeamSlope * a.x && b.y > kBeamSlope * b.x) && !(a.y < -kBeamSlope * a.x && b.y < -kBeamSlope * b.x);
   }
 
   const View& view_;

@@ -14,7 +14,7 @@ Doorway one_side(const Building& building, std::size_t index, bool a_side) {
   doorway.door = index;
   doorway.other = a_side ? door.room_b : door.room_a;
   doorway.width = door.width;
-  doorway.centre = at;
+  doorway.centre = doorway.middle = at;
   double nearest = std::numeric_limits<double>::infinity();
   for (const Segment& wall : room.walls) {
     const double length = wall.length();
@@ -33,7 +33,7 @@ Doorway one_side(const Building& building, std::size_t index, bool a_side) {
 // a chain of doors need not close to the centimetre and the wearer must not jump.
 Pose2 place_other(const Room& room, const Doorway& here, const Room& other, const Doorway& there) {
   Pose2 frame{{}, wrap_angle(other.frame.heading - room.frame.heading)};
-  frame.position = here.centre - frame.transform(there.centre);
+  frame.position = here.middle - frame.transform(there.middle);
   return frame;
 }
 

@@ -38,6 +38,14 @@ std::vector<Segment> cut_openings(const Segment& wall, const std::vector<Doorway
   return segments;
 }
 
+// The sides of a passage through a wall that is drawn with its thickness: this room's half of them.
+void add_reveals(const Doorway& doorway, double reflectivity, RoomScene& scene) {
+  const Vec2 outward = doorway.middle - doorway.centre;
+  if (norm(outward) < kShortest || dot(outward, doorway.inward) > 0.0) return;
+  const Segment opening = doorway.opening();
+  for (const Vec2 jamb : {opening.a, opening.b}) scene.panels.push_back({{jamb, jamb + outward}, reflectivity});
+}
+
 void add_corners_of(const Panel& one, const Panel& two, std::vector<Corner>& corners) {
   const double length_1 = one.at.length();
   const double length_2 = two.at.length();
@@ -109,6 +117,7 @@ RoomScene build_room_scene(const Room& room, const std::vector<Doorway>& doorway
       if (rough) add_roughness(piece, of_walls, scene);
     }
   }
+  for (const Doorway& doorway : doorways) add_reveals(doorway, world.reflectivity, scene);
   add_furniture(room, doorways, world, kept_free, of_furniture, scene);
   for (const Segment& bench : room.reflectors) add_bench(bench, of_benches, scene);
   for (std::size_t i = 0; i < scene.panels.size(); ++i) {

@@ -7,6 +7,7 @@ namespace {
 
 constexpr int kDoorsDeep = 2;
 constexpr double kDoorReflectivity = 0.9;
+constexpr int kMostHops = 8;
 constexpr double kSkin = 1e-3;  // Metres from either end of a line within which nothing blocks it.
 
 RoomScene moved(const RoomScene& scene, const Pose2& frame) {
@@ -50,57 +51,66 @@ void View::place(RoomIndex room, const Pose2& frame, const Entrance& entrance, i
   const std::vector<Doorway>& doorways = surroundings.doorways(room);
   for (std::size_t i = 0; i < doorways.size(); ++i) {
     const Doorway& doorway = doorways[i];
-    const Segment opening = moved(doorway.opening(), frame);
+    const Segment threshold = moved(doorway.threshold(), frame);
     if (!surroundings.is_open(doorway.door)) {
-      rooms_[self].scene.panels.push_back({opening, kDoorReflectivity});
+      rooms_[self].scene.panels.push_back({threshold, kDoorReflectivity});
       continue;
     }
     if (const std::optional<Segment> leaf = surroundings.leaf(room, doorway)) {
       rooms_[self].scene.panels.push_back({moved(*leaf, frame), kDoorReflectivity});
     }
     if (entrance.from >= 0 && i == entrance.doorway) {
-      rooms_[self].portals.push_back({opening, entrance.from});
+      rooms_[self].portals.push_back({threshold, entrance.from});
     } else if (depth < kDoorsDeep) {
-      rooms_[self].portals.push_back({opening, static_cast<int>(rooms_.size())});
+      rooms_[self].portals.push_back({threshold, static_cast<int>(rooms_.size())});
       place(doorway.other, frame.compose(doorway.other_frame), {static_cast<int>(self), doorway.twin}, depth + 1,
             surroundings);
     } else {
-      rooms_[self].portals.push_back({opening, -1});
+      rooms_[self].portals.push_back({threshold, -1});
     }
   }
+}
+
+// Walks along the ray from room to room. Stops at the first panel between kSkin and `reach`, or at the end.
+View::Hit View::first_panel(int room, Vec2 from, Vec2 direction, double reach) const noexcept {
+  double entered = kSkin;
+  int came_from = -1;
+  for (int hops = 0; hops < kMostHops; ++hops) {
+    const PlacedRoom& here = rooms_[static_cast<std::size_t>(room)];
+    double limit = reach;
+    const Portal* through = nullptr;
+    for (const Portal& portal : here.portals) {
+      if (came_from >= 0 && portal.leads_to == came_from) continue;
+      const double s = crossing(from, direction, reach, portal.opening);
+      if (s >= entered - kSkin && s >= 0.0 && s < limit) {
+        limit = s;
+        through = &portal;
+      }
+    }
+    const Panel* hit = nullptr;
+    for (const Panel& panel : here.scene.panels) {
+      const double s = crossing(from, direction, limit, panel.at);
+      if (s > entered && s < limit) {
+        limit = s;
+        hit = &panel;
+      }
+    }
+    if (hit != nullptr) return {hit, room};
+    if (through == nullptr) return {nullptr, room};
+    if (through->leads_to < 0) return {nullptr, -1};
+    came_from = room;
+    room = through->leads_to;
+    entered = limit;
+  }
+  return {nullptr, -1};
 }
 
 int View::trace(int room, Vec2 from, Vec2 to) const noexcept {
   const Vec2 whole = to - from;
   const double length = norm(whole);
   if (length < kSkin) return room;
-  const Vec2 along = (1.0 / length) * whole;
-  double entered = kSkin;
-  int came_from = -1;
-  for (int hops = 0; hops < 8; ++hops) {
-    const PlacedRoom& here = rooms_[static_cast<std::size_t>(room)];
-    double exit = length;
-    const Portal* through = nullptr;
-    for (const Portal& portal : here.portals) {
-      if (came_from >= 0 && portal.leads_to == came_from) continue;
-      const double s = crossing(from, along, length, portal.opening);
-      if (s >= entered - kSkin && s >= 0.0 && s < exit) {
-        exit = s;
-        through = &portal;
-      }
-    }
-    const double limit = std::min(exit, length - kSkin);
-    for (const Panel& panel : here.scene.panels) {
-      const double s = crossing(from, along, length, panel.at);
-      if (s > entered && s < limit) return -1;
-    }
-    if (through == nullptr) return room;
-    if (through->leads_to < 0) return -1;
-    came_from = room;
-    room = through->leads_to;
-    entered = exit;
-  }
-  return -1;
+  const Hit hit = first_panel(room, from, (1.0 / length) * whole, length - kSkin);
+  return hit.panel == nullptr ? hit.room : -1;
 }
 
 }  // namespace echoway::sim

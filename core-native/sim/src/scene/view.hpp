@@ -44,6 +44,14 @@ class View {
 
   [[nodiscard]] const std::vector<PlacedRoom>& rooms() const noexcept { return rooms_; }
 
+  /// The first panel that a ray from `from`, in placed room `room`, meets within `reach` metres, and the placed room it
+  /// stands in; nullptr when it meets none.
+  struct Hit {
+    const Panel* panel = nullptr;
+    int room = -1;
+  };
+  [[nodiscard]] Hit first_panel(int room, Vec2 from, Vec2 direction, double reach) const noexcept;
+
   /// Follows the straight line from `from`, in placed room `room`, to `to`. Returns the placed room in which it ends, -1
   /// when something stands in the way. Things within a millimetre of either end do not count.
   [[nodiscard]] int trace(int room, Vec2 from, Vec2 to) const noexcept;
