@@ -75,7 +75,7 @@ class DoorMerger {
 
 /// Distance between the nearest edges on either side of the door on its wall.
 std::optional<double> width_between_edges(const Room& room, Vec2 at) {
-  const std::optional<Opening> opening = find_opening(room, at, kDefaultDoorWidth);
+  const std::optional<DoorOpening> opening = find_opening(room, at, kDefaultDoorWidth);
   if (!opening) return std::nullopt;
   const Segment& wall = room.walls[opening->wall];
   const Vec2 along = (1.0 / wall.length()) * wall.direction();
@@ -138,10 +138,10 @@ std::vector<DoorLines> assemble_doors(const ConfigSource& config, const RoomsByI
 }
 
 void add_door_jambs(Building& building) {
-  const std::vector<std::vector<Opening>> openings = find_openings(building);
+  const std::vector<std::vector<DoorOpening>> openings = find_openings(building);
   for (std::size_t i = 0; i < building.rooms.size(); ++i) {
     Room& room = building.rooms[i];
-    for (const Opening& opening : openings[i]) {
+    for (const DoorOpening& opening : openings[i]) {
       const Segment& wall = room.walls[opening.wall];
       for (const Vec2 jamb : {opening.span.a, opening.span.b}) {
         if (distance(jamb, wall.a) <= kSameFeature || distance(jamb, wall.b) <= kSameFeature) continue;

@@ -40,9 +40,9 @@ void cut(std::vector<Segment>& pieces, const Segment& span) {
 
 }  // namespace
 
-std::optional<Opening> find_opening(const Room& room, Vec2 at, double width) {
+std::optional<DoorOpening> find_opening(const Room& room, Vec2 at, double width) {
   if (!(width > 0.0)) return std::nullopt;
-  Opening opening;
+  DoorOpening opening;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < room.walls.size(); ++i) {
     const double d = distance(room.walls[i], at);
@@ -61,12 +61,12 @@ std::optional<Opening> find_opening(const Room& room, Vec2 at, double width) {
   return opening;
 }
 
-std::vector<std::vector<Opening>> find_openings(const Building& building) {
-  std::vector<std::vector<Opening>> openings(building.rooms.size());
+std::vector<std::vector<DoorOpening>> find_openings(const Building& building) {
+  std::vector<std::vector<DoorOpening>> openings(building.rooms.size());
   for (std::size_t door = 0; door < building.doors.size(); ++door) {
     const Door& d = building.doors[door];
     const auto add = [&](RoomIndex room, Vec2 at, RoomIndex beyond) {
-      std::optional<Opening> opening = find_opening(building.room(room), at, d.width);
+      std::optional<DoorOpening> opening = find_opening(building.room(room), at, d.width);
       if (!opening) return;
       opening->door = door;
       opening->beyond = beyond;
@@ -78,11 +78,11 @@ std::vector<std::vector<Opening>> find_openings(const Building& building) {
   return openings;
 }
 
-std::vector<Segment> walls_with_doors_open(const Room& room, const std::vector<Opening>& openings) {
+std::vector<Segment> walls_with_doors_open(const Room& room, const std::vector<DoorOpening>& openings) {
   std::vector<Segment> out;
   for (const Segment& wall : room.walls) {
     std::vector<Segment> pieces{wall};
-    for (const Opening& opening : openings) cut(pieces, opening.span);
+    for (const DoorOpening& opening : openings) cut(pieces, opening.span);
     out.insert(out.end(), pieces.begin(), pieces.end());
   }
   return out;
