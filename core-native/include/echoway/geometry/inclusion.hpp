@@ -18,6 +18,7 @@ inline constexpr double kOnBoundary = 1e-9;
 /// Even-odd test (thesis section 5.1, figure 5.5) of `p` against closed loops such as Room::boundary; holes count as
 /// outside. Half-open edges make a ray through a vertex count once. A point that is not finite is outside.
 [[nodiscard]] inline Inclusion classify(std::span<const std::vector<Vec2>> loops, Vec2 p) noexcept {
+  if (!is_finite(p)) return Inclusion::outside;
   bool inside = false;
   for (const std::vector<Vec2>& loop : loops) {
     for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
