@@ -1,0 +1,36 @@
+#include "scene/reflector.hpp"
+
+namespace echoway::scene {
+
+Reflector make_segment_reflector(ReflectorKind kind, const Segment& s, double normal_side) noexcept {
+  Reflector r;
+  r.kind = kind;
+  r.a = s.a;
+  r.b = s.b;
+  r.length = s.length();
+  r.tangent = (1.0 / r.length) * s.direction();
+  r.normal = normal_side * perpendicular(r.tangent);
+  r.offset = -dot(r.normal, s.a);
+  return r;
+}
+
+Reflector make_point_reflector(ReflectorKind kind, Vec2 at) noexcept {
+  Reflector r;
+  r.kind = kind;
+  r.a = r.b = at;
+  return r;
+}
+
+Reflector transformed(const Reflector& r, Vec2 rotation, Vec2 shift) noexcept {
+  const auto turn = [&](Vec2 v) { return Vec2{rotation.x * v.x - rotation.y * v.y, rotation.y * v.x + rotation.x * v.y}; };
+  Reflector t = r;
+  t.a = turn(r.a) + shift;
+  t.b = turn(r.b) + shift;
+  t.tangent = turn(r.tangent);
+  t.normal = turn(r.normal);
+  t.offset = -dot(t.normal, t.a);
+  t.own_index = -1;
+  return t;
+}
+
+}  // namespace echoway::scene

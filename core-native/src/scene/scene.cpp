@@ -1,0 +1,74 @@
+#include "scene/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace echoway::scene {
+namespace {
+constexpr std::size_t kMaxSlots = 3072;
+}
+
+Scene::Scene(const Building& building, const SightLimits& limits)
+    : rooms_(compile_rooms(building, limits.max_range)), limits_(limits) {
+  std::size_t cells = 0;
+  for (const RoomScene& r : rooms_) cells += static_cast<std::size_t>(r.columns) * static_cast<std::size_t>(r.rows);
+  std::size_t reflectors = 0;
+  std::size_t occluders = 0;
+  for (const RoomScene& r : rooms_) {
+    reflectors = std::max(reflectors, r.reflectors.size());
+    occluders = std::max(occluders, r.occluders.size());
+  }
+  scratch_.seen.reserve(reflectors);
+  scratch_.between.reserve(occluders);
+  slot_of_cell_.assign(cells, -1);
+  slots_.resize(std::clamp<std::size_t>(cells, 1, kMaxSlots));
+}
+
+Cell& Scene::claim_slot() noexcept {
+  for (;;) {
+    Cell& slot = slots_[hand_];
+    hand_ = hand_ + 1 == slots_.size() ? 0 : hand_ + 1;
+    if (slot.id >= 0 && slot.recently_used) {
+      slot.recently_used = false;
+      continue;
+    }
+    if (slot.id >= 0) slot_of_cell_[static_cast<std::size_t>(slot.id)] = -1;
+    return slot;
+  }
+}
+
+const Cell& Scene::cell_at(RoomIndex room_index, Vec2 p) noexcept {
+  const RoomScene& room = rooms_[static_cast<std::size_t>(room_index)];
+  const Vec2 local = p - room.grid_origin;
+  const double size = room.cell_size;
+  const int column = static_cast<int>(std::clamp(local.x / size, 0.0, room.columns - 0.5));
+  const int row = static_cast<int>(std::clamp(local.y / size, 0.0, room.rows - 0.5));
+  const std::size_t id = room.first_cell + static_cast<std::size_t>(row) * static_cast<std::size_t>(room.columns) +
+                         static_cast<std::size_t>(column);
+  const std::int32_t slot = slot_of_cell_[id];
+  if (slot >= 0) {
+    Cell& cell = slots_[static_cast<std::size_t>(slot)];
+    cell.recently_used = true;
+    return cell;
+  }
+  Cell& cell = claim_slot();
+  const Vec2 low = room.grid_origin + Vec2{column * size, row * size};
+  compile_cell(room, low, low + Vec2{size, size}, limits_, scratch_, cell);
+  ++cells_compiled_;
+  cell.id = static_cast<std::int64_t>(id);
+  cell.recently_used = true;
+  slot_of_cell_[id] = static_cast<std::int32_t>(&cell - slots_.data());
+  return cell;
+}
+
+std::size_t Scene::memory() const noexcept {
+  std::size_t bytes = slot_of_cell_.capacity() * sizeof(std::int32_t) + slots_.capacity() * sizeof(Cell);
+  for (const RoomScene& r : rooms_) {
+    bytes += sizeof(RoomScene) + r.reflectors.capacity() * sizeof(Reflector) + r.occluders.capacity() * sizeof(Segment) +
+             r.openings.capacity() * sizeof(Opening) + r.floor.vertices.capacity() * sizeof(Vec2) +
+             r.floor.begin.capacity() * sizeof(std::uint32_t);
+  }
+  return bytes;
+}
+
+}  // namespace echoway::scene

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "echoway/geometry/segment.hpp"
+
+namespace echoway::scene {
+
+/// False only when a line separates `s` from the convex hull of `points`; the axes tried are those of the points' own
+/// connections and of `s`, so a true answer may be a near miss. Leaving something out on false is therefore safe.
+template <std::size_t N>
+[[nodiscard]] bool hull_may_touch(const std::array<Vec2, N>& points, const Segment& s) noexcept {
+  const auto separated = [&](Vec2 axis) {
+    double low = dot(axis, points[0]);
+    double high = low;
+    for (std::size_t i = 1; i < N; ++i) {
+      const double v = dot(axis, points[i]);
+      low = v < low ? v : low;
+      high = v > high ? v : high;
+    }
+    const double a = dot(axis, s.a);
+    const double b = dot(axis, s.b);
+    return (a < low && b < low) || (a > high && b > high);
+  };
+  if (separated({1.0, 0.0}) || separated({0.0, 1.0}) || separated(perpendicular(s.direction()))) return false;
+  for (std::size_t i = 0; i + 1 < N; ++i) {
+    for (std::size_t j = i + 1; j < N; ++j) {
+      if (separated(perpendicular(points[j] - points[i]))) return false;
+    }
+  }
+  return true;
+}
+
+/// True when the open way from `p` to `q` properly crosses `s`.
+[[nodiscard]] inline bool blocks(const Segment& s, Vec2 p, Vec2 q) noexcept {
+  const Vec2 d = q - p;
+  const double a = cross(d, s.a - p);
+  const double b = cross(d, s.b - p);
+  if ((a > 0.0) == (b > 0.0)) return false;
+  const Vec2 e = s.direction();
+  const double c = cross(e, p - s.a);
+  const double f = cross(e, q - s.a);
+  return (c > 0.0) != (f > 0.0);
+}
+
+/// Sight to a reflector is followed to this much in front of it, so that what it touches does not hide it.
+inline constexpr double kSightClearance = 0.03;
+
+/// `to`, drawn back towards `from` by kSightClearance (or to the middle of the way if that is nearer).
+[[nodiscard]] inline Vec2 in_front_of(Vec2 to, Vec2 from, double way) noexcept {
+  const double back = way > 2.0 * kSightClearance ? kSightClearance / way : 0.5;
+  return to + back * (from - to);
+}
+
+}  // namespace echoway::scene

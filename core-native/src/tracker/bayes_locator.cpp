@@ -1,0 +1,353 @@
+#include "echoway/tracker/bayes_locator.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "tracker/elementary.hpp"
+#include "tracker/fit_monitor.hpp"
+#include "tracker/floor.hpp"
+#include "tracker/history.hpp"
+#include "tracker/likelihood.hpp"
+#include "tracker/motion.hpp"
+#include "tracker/population.hpp"
+#include "tracker/search.hpp"
+#include "tracker/sensor_health.hpp"
+#include "tracker/summary.hpp"
+
+namespace echoway {
+
+using namespace tracker;
+
+namespace {
+
+constexpr double kStartPositionSigma = 0.30;      // Metres: what "here" means to whoever says it.
+constexpr double kStartHeadingSigma = degrees(6.0);
+constexpr std::size_t kSearchCapacity = 2400;
+constexpr std::size_t kRivalCapacity = 600;
+constexpr std::size_t kParticlesPerCell = 14;     // While several places are possible.
+constexpr std::size_t kSettledCells = 10;         // A belief this narrow takes the tracking number of particles.
+constexpr double kLongestInterval = 3.0;          // Seconds that are still walked through; longer ones are a break.
+constexpr double kTemperatureSigma = 0.006;       // ln of speed: 3.5 K, a thermometer against the body.
+constexpr double kPaceGain = 1.0 / 160.0;         // Per firing: ten seconds of walking.
+constexpr std::uint64_t kRecoveryWindow = 40;     // Firings that a recovery search looks back on.
+constexpr double kLogElsewhere = -5.0;            // Prior odds that a wearer whose echoes fit badly is somewhere else.
+constexpr double kAcceptOdds = 4.0;
+constexpr double kRejectOdds = -4.0;
+constexpr std::uint64_t kRivalLife = 160;         // Firings that rivals get to prove themselves,
+constexpr std::uint64_t kSearchPause = 48;        // and until the next search after they failed.
+
+}  // namespace
+
+class BayesLocator::Core {
+ public:
+  Core(const Building& building, const BeltConfig& belt, const Start& start, const BayesOptions& options)
+      : building_(building),
+        belt_(belt),
+        start_(start),
+        options_(options),
+        model_(belt, EchoModelParameters{}),
+        scene_(building, model_.sight_limits()),
+        random_(options.seed),
+        main_(kSearchCapacity),
+        rivals_(kRivalCapacity),
+        search_(scene_, Search::Parameters{}),
+        health_(belt.sensors) {
+    for (int i = 0; i < belt.sensors; ++i) {
+      const double b = belt.bearing(i);
+      bearings_[static_cast<std::size_t>(i)] = {std::cos(b), std::sin(b)};
+    }
+    log_scale_sigma_ = motion_.scale_sigma;
+    begin();
+  }
+
+  bool on_firing(const Firing& firing);
+  void on_motion(const MotionHint& hint) { hints_.on_hint(hint); }
+  void on_temperature(double celsius);
+
+  Estimate estimate_;
+  Summary summary_;
+  SensorHealth& health() { return health_; }
+
+ private:
+  void begin();
+  void place_known(const Pose2& pose, RoomIndex room, bool heading_known);
+  void describe_ignorance();
+  [[nodiscard]] Search::Tools tools() const;
+  [[nodiscard]] Shot aim(const Record& record) const;
+  double update(Population& population, const Record& record, const HintIntegrator::GaitEvidence& gait);
+  void thin_out(Population& population);
+  void pursue_search();
+  void judge_rivals(double log_main, double log_rivals);
+  void conclude(double time_s);
+
+  const Building& building_;
+  BeltConfig belt_;
+  Start start_;
+  BayesOptions options_;
+  EchoModel model_;
+  mutable scene::Scene scene_;
+  MotionParameters motion_;
+  Random random_;
+  Population main_;
+  Population rivals_;
+  Search search_;
+  SensorHealth health_;
+  History history_;
+  HintIntegrator hints_;
+  FitMonitor fit_;
+  std::array<Vec2, kMaxSensors> bearings_{};
+
+  bool clock_set_ = false;
+  double last_time_ = 0.0;
+  int backwards_ = 0;
+  bool gyro_ = false;
+  double pace_ = 0.55;              ///< Usual walking speed, learnt.
+  double log_scale_ = 0.0;
+  double log_scale_sigma_ = 0.0;
+  double rival_odds_ = 0.0;
+  std::uint64_t rivals_until_ = 0;
+  std::uint64_t no_search_before_ = 0;
+};
+
+void BayesLocator::Core::begin() {
+  if (start_.room && (*start_.room < 0 || *start_.room >= static_cast<RoomIndex>(building_.rooms.size()))) start_ = {};
+  if (start_.room && start_.position && is_finite(*start_.position)) {
+    const bool heading_known = start_.heading && std::isfinite(*start_.heading);
+    place_known({*start_.position, heading_known ? wrap_angle(*start_.heading) : 0.0}, *start_.room, heading_known);
+  }
+  describe_ignorance();
+}
+
+void BayesLocator::Core::place_known(const Pose2& pose, RoomIndex room, bool heading_known) {
+  const std::size_t count = heading_known ? 400 : 1800;
+  for (std::size_t i = 0; i < count; ++i) {
+    Particle p;
+    p.weight = 1.0 / static_cast<double>(count);
+    p.room = room;
+    p.position = pose.position;
+    const double share = (static_cast<double>(i) + random_.uniform()) / static_cast<double>(count);
+    p.heading = heading_known ? wrap_near(pose.heading + kStartHeadingSigma * cheap_normal(random_)) : kTwoPi * share - kPi;
+    const SinCos f = fast_sincos(p.heading);
+    p.facing = {f.cos, f.sin};
+    p.speed = i % 2 == 0 ? pace_ : 0.0;
+    p.gait = i % 2 == 0 ? Gait::walking : Gait::standing;
+    p.gyro_bias = motion_.gyro_bias_sigma * cheap_normal(random_);
+    p.turn_rate = motion_.straight_sigma * cheap_normal(random_);
+    p.cov.xx = p.cov.yy = kStartPositionSigma * kStartPositionSigma;
+    p.cov.ss = i % 2 == 0 ? 0.2 * 0.2 : motion_.standing_sigma * motion_.standing_sigma;
+    p.cov.kk = motion_.scale_sigma * motion_.scale_sigma;
+    main_.push(p);
+  }
+  conclude(0.0);
+}
+
+// Before anything is heard: the start's room, or the largest one, and how little that says.
+void BayesLocator::Core::describe_ignorance() {
+  if (!main_.empty()) return;
+  double total = 0.0, largest = 0.0;
+  RoomIndex room = kNoRoom;
+  for (std::size_t i = 0; i < building_.rooms.size(); ++i) {
+    const auto& r = scene_.room(static_cast<RoomIndex>(i));
+    const double area = (r.high.x - r.low.x) * (r.high.y - r.low.y);
+    total += area;
+    if (area > largest) {
+      largest = area;
+      room = static_cast<RoomIndex>(i);
+    }
+  }
+  if (start_.room) room = *start_.room;
+  if (room == kNoRoom) return;
+  const auto& r = scene_.room(room);
+  estimate_.room = room;
+  estimate_.pose = {0.5 * (r.low + r.high), start_.heading.value_or(0.0)};
+  estimate_.sigma_m = 0.3 * distance(r.low, r.high);
+  estimate_.covariance_xx = estimate_.covariance_yy = estimate_.sigma_m * estimate_.sigma_m;
+  estimate_.sigma_heading_rad = start_.heading ? kStartHeadingSigma : kPi / std::sqrt(3.0);
+  estimate_.room_probability = start_.room ? 0.99 : largest / std::max(total, 1e-9);
+  estimate_.state = TrackState::searching;
+  summary_.count = 1;
+  summary_.hypotheses[0] = {estimate_.room, estimate_.pose, estimate_.sigma_m, estimate_.room_probability};
+}
+
+Search::Tools BayesLocator::Core::tools() const {
+  return {model_, scene_, motion_, belt_, history_, log_scale_, std::max(log_scale_sigma_, 0.004), main_.empty() ? 0.0 : summary_.gyro_bias};
+}
+
+Shot BayesLocator::Core::aim(const Record& record) const {
+  Shot shot;
+  shot.bearing = bearings_[static_cast<std::size_t>(record.sensor)];
+  shot.bearing_rad = belt_.bearing(record.sensor);
+  shot.radius = belt_.radius_m;
+  shot.range = record.range;
+  shot.echo = record.echo;
+  shot.trust = record.trust;
+  return shot;
+}
+
+// Predicts, weighs and corrects every particle; returns the log density of the reading.
+double BayesLocator::Core::update(Population& population, const Record& record, const HintIntegrator::GaitEvidence& gait) {
+  const Shot shot = aim(record);
+  double before = 0.0;
+  for (Particle& p : population.particles()) {
+    advance(p, record.interval, motion_, pace_, random_);
+    p.weight *= p.gait == Gait::walking ? gait.walking : gait.standing;
+    before += p.weight;
+    if (record.trust > 0.0) p.weight *= assimilate(p, shot, model_, scene_);
+    p.weight *= settle_on_floor(p, scene_);
+  }
+  return fast_log(population.normalize()) - fast_log(before);
+}
+
+void BayesLocator::Core::thin_out(Population& population) {
+  const auto settled = static_cast<std::size_t>(gyro_ ? options_.particles : options_.particles_without_gyroscope);
+  const double n = static_cast<double>(population.size());
+  const bool shrink = population.size() > settled + settled / 4;
+  const double effective = population.effective_size();
+  if (effective > 0.5 * n && !(shrink && history_.end() % 4 == 0)) return;
+  const std::size_t cells = population.occupied_cells();
+  std::size_t target = settled;
+  if (cells > kSettledCells) target = std::max(settled, kParticlesPerCell * cells);
+  target = std::min(target, population.capacity());
+  if (effective > 0.5 * n && target >= population.size()) return;
+  population.resample(target, random_);
+}
+
+bool BayesLocator::Core::on_firing(const Firing& firing) {
+  if (firing.sensor < 0 || firing.sensor >= belt_.sensors || !std::isfinite(firing.time_s) || std::isnan(firing.range_m)) return false;
+  double dt = clock_set_ ? firing.time_s - last_time_ : 0.0;
+  if (dt < 0.0) {
+    // One late row is dropped; a clock that was set back is followed.
+    if (++backwards_ < 2 * belt_.sensors) return false;
+    dt = belt_.slot_s;
+    hints_.reset_clock();
+  }
+  backwards_ = 0;
+  clock_set_ = true;
+  last_time_ = firing.time_s;
+
+  Record record;
+  record.interval = hints_.close(firing.time_s, std::min(dt, kLongestInterval));
+  record.sensor = firing.sensor;
+  record.echo = firing.has_echo() && firing.range_m < belt_.max_range_m * 1.1;
+  record.range = std::max(firing.range_m, 0.01);
+  record.trust = health_.on_firing(firing.sensor, record.echo, record.range);
+  gyro_ = record.interval.turn_known;
+  history_.push(record);
+
+  const auto gait = hints_.take_gait_evidence(firing.time_s, record.interval.seconds);
+  double log_main = 0.0, log_rivals = 0.0;
+  if (!main_.empty()) {
+    log_main = update(main_, record, gait);
+    history_.back().log_main = log_main;
+    if (record.trust > 0.5) fit_.observe(log_main, record.echo, record.range);
+  }
+  if (!rivals_.empty()) log_rivals = update(rivals_, record, gait);
+  pursue_search();
+  if (!rivals_.empty()) judge_rivals(log_main, log_rivals);
+  if (!main_.empty()) thin_out(main_);
+  if (!rivals_.empty()) thin_out(rivals_);
+  conclude(firing.time_s);
+  return true;
+}
+
+// Starts a search when nothing is known yet or the echoes stop fitting, and takes its result when it is done.
+void BayesLocator::Core::pursue_search() {
+  const std::uint64_t now = history_.end();
+  if (!search_.running()) {
+    const auto pass = static_cast<std::uint64_t>(std::clamp(belt_.sensors, 8, 24));
+    if (main_.empty() && now >= pass) {
+      SearchDomain domain;
+      if (start_.room) domain.only_room = *start_.room;
+      if (start_.room && start_.heading) domain.heading = *start_.heading;
+      domain.heading_sigma = kStartHeadingSigma;
+      search_.start(domain, now - pass, now);
+    } else if (!main_.empty() && rivals_.empty() && now >= no_search_before_ && now >= kRecoveryWindow && fit_.poor()) {
+      search_.start({}, now - kRecoveryWindow, now);
+    } else {
+      return;
+    }
+  }
+  if (!search_.work(tools())) return;
+  if (main_.empty()) {
+    search_.take(main_, random_, motion_);
+    fit_.reset();
+    return;
+  }
+  double log_main = 0.0;
+  for (std::uint64_t n = search_.window_begin(); n < now; ++n) log_main += history_[n].log_main;
+  rival_odds_ = search_.log_evidence() - log_main + kLogElsewhere;
+  if (rival_odds_ < 2.0 * kRejectOdds) {
+    search_.stop();
+    no_search_before_ = now + kSearchPause;
+    return;
+  }
+  search_.take(rivals_, random_, motion_);
+  rivals_until_ = now + kRivalLife;
+}
+
+void BayesLocator::Core::judge_rivals(double log_main, double log_rivals) {
+  rival_odds_ += log_rivals - log_main;
+  const std::uint64_t now = history_.end();
+  const bool tried = now + kRivalLife >= rivals_until_ + 8;
+  if (tried && rival_odds_ > kAcceptOdds) {
+    main_.clear();
+    for (const Particle& p : rivals_.particles()) main_.push(p);
+    rivals_.clear();
+    fit_.reset();
+    no_search_before_ = now + kSearchPause;
+  } else if (rival_odds_ < kRejectOdds || now >= rivals_until_) {
+    rivals_.clear();
+    no_search_before_ = now + kSearchPause;
+  }
+}
+
+void BayesLocator::Core::on_temperature(double celsius) {
+  if (!(celsius > -40.0 && celsius < 60.0)) return;
+  // Sound that is faster than assumed makes ranges come out short.
+  const double log_scale = std::log(speed_of_sound(kReferenceCelsius) / speed_of_sound(celsius));
+  if (main_.empty()) {
+    log_scale_ = log_scale;
+    log_scale_sigma_ = kTemperatureSigma;
+    return;
+  }
+  for (Particle& p : main_.particles()) {
+    if (p.cov.kk > kTemperatureSigma * kTemperatureSigma) observe_log_scale(p, log_scale, kTemperatureSigma * kTemperatureSigma);
+  }
+}
+
+void BayesLocator::Core::conclude(double time_s) {
+  estimate_.time_s = time_s;
+  if (main_.empty()) return;
+  summary_ = summarize(main_.particles(), building_, SummaryParameters{});
+  estimate_ = summary_.best;
+  estimate_.time_s = time_s;
+  if (summary_.walking > 0.9 && summary_.hypotheses[0].probability > 0.9) {
+    pace_ = std::clamp(pace_ + kPaceGain * (summary_.pace - pace_), 0.2, 1.8);
+  }
+  log_scale_ = summary_.log_scale;
+  log_scale_sigma_ = std::max(summary_.log_scale_sigma, 0.004);
+  const double probability = summary_.hypotheses[0].probability;
+  if (fit_.poor()) {
+    estimate_.state = TrackState::lost;
+  } else if (probability > 0.9 && estimate_.sigma_m < 1.0) {
+    estimate_.state = TrackState::tracking;
+  } else {
+    estimate_.state = TrackState::searching;
+  }
+}
+
+BayesLocator::BayesLocator(const Building& building, const BeltConfig& belt, const Start& start, const BayesOptions& options)
+    : core_(std::make_unique<Core>(building, belt, start, options)) {}
+BayesLocator::~BayesLocator() = default;
+
+bool BayesLocator::on_firing(const Firing& firing) { return core_->on_firing(firing); }
+void BayesLocator::on_motion(const MotionHint& hint) { core_->on_motion(hint); }
+void BayesLocator::on_temperature(double celsius) { core_->on_temperature(celsius); }
+const Estimate& BayesLocator::estimate() const { return core_->estimate_; }
+std::span<const Hypothesis> BayesLocator::hypotheses() const {
+  return {core_->summary_.hypotheses.data(), static_cast<std::size_t>(core_->summary_.count)};
+}
+std::span<const SensorSuspicion> BayesLocator::suspicions() const { return core_->health().suspicions(); }
+
+}  // namespace echoway

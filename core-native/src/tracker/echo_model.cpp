@@ -1,0 +1,59 @@
+#include "tracker/echo_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracker/elementary.hpp"
+
+namespace echoway::tracker {
+namespace {
+
+double logistic(double x) noexcept { return 1.0 / (1.0 + fast_exp(-x)); }
+
+constexpr double kLogisticTail = 4.5;       // Widths beyond which the beam's edge is taken as over (1.1 %).
+constexpr double kLeastEdgeChance = 0.01;   // An edge that answers less often than this never wins.
+
+}  // namespace
+
+EchoModel::EchoModel(const BeltConfig& belt, const EchoModelParameters& p) {
+  const double half = 0.5 * std::clamp(belt.beam_rad, degrees(2.0), degrees(120.0));
+  const double fine_width = p.beam_softness * half;
+  const double coarse_width = fine_width + p.coarse_softness_rad;
+  const double cut_off = std::min(half + kLogisticTail * fine_width + 1.5 * p.coarse_softness_rad, degrees(85.0));
+  half_beam_sine_ = std::sin(half);
+  half_beam_cosine_ = std::cos(half);
+  beam_scale_ = (kBeamEntries - 1) / std::sin(cut_off);
+  for (std::size_t i = 0; i < kBeamEntries - 1; ++i) {
+    const double angle = std::asin(static_cast<double>(i) / beam_scale_);
+    const double fine = (half - angle) / fine_width;
+    fine_beam_[i] = fine < -kLogisticTail ? 0.0 : logistic(fine);
+    coarse_beam_[i] = logistic((half - angle) / coarse_width);
+  }
+
+  const double span = std::max(0.1, belt.max_range_m - belt.min_range_m);
+  ghost_density_ = p.ghost / span;
+  for (std::size_t i = 0; i < kReachEntries; ++i) {
+    const double d = (static_cast<double>(i) + 0.5) / kReachPerMetre;
+    const double in_range = logistic((belt.max_range_m - 0.15 - d) / 0.1);
+    reach_[static_cast<std::size_t>(scene::ReflectorKind::wall)][i] = p.detect_wall * in_range * logistic((p.fade_range_m - d) / p.fade_softness_m);
+    reach_[static_cast<std::size_t>(scene::ReflectorKind::corner)][i] = p.detect_corner * in_range * logistic((p.fade_range_m - d) / p.fade_softness_m);
+    reach_[static_cast<std::size_t>(scene::ReflectorKind::mirrored_corner)][i] =
+        p.detect_mirrored * in_range * logistic((p.mirrored_range_m - d) / p.fade_softness_m);
+    const double edge = p.detect_edge * logistic((p.edge_half_range_m - d) / p.edge_softness_m) * in_range;
+    reach_[static_cast<std::size_t>(scene::ReflectorKind::edge)][i] = edge < kLeastEdgeChance ? 0.0 : edge;
+    if (edge >= kLeastEdgeChance) limits_.max_edge_range = d;
+    reach_[static_cast<std::size_t>(scene::ReflectorKind::all_reflective)][i] = p.detect_all_reflective * in_range;
+    unexplained_[i] = ghost_density_ + p.clutter / p.clutter_length_m * fast_exp(-d / p.clutter_length_m) +
+                      p.arm / p.arm_length_m * fast_exp(-d / p.arm_length_m) + p.late / span;
+  }
+  quiet_ = 1.0 - p.clutter - p.arm - p.late - p.ghost;
+  noise_share_ = belt.range_noise;
+  floor2_ = p.range_floor_m * p.range_floor_m;
+  min_range_ = belt.min_range_m;
+  limits_.max_range = belt.max_range_m + 0.3;
+  limits_.max_mirrored_range = limits_.max_range;
+  limits_.max_edge_range += 0.02;
+  limits_.cut_off_rad = cut_off;
+}
+
+}  // namespace echoway::tracker

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <array>
+
+#include "echoway/belt/belt.hpp"
+#include "scene/reflector.hpp"
+#include "scene/scene.hpp"
+
+namespace echoway::tracker {
+
+/// What a firing returns, as far as the estimator believes. Probabilities per firing unless said otherwise. They describe
+/// the Polaroid 6500 and furnished rooms in general and are tuned to no particular set of walks; docs/tracker.md shows
+/// how flat the error is around them.
+struct EchoModelParameters {
+  double detect_wall = 0.92;          ///< A wall squarely in the beam answers, drop-outs included.
+  double detect_corner = 0.90;        ///< As strong as a wall (physics of Kuc and Siegel 1987).
+  double fade_range_m = 9.0;          ///< Far walls and corners answer less: half as often at this distance,
+  double fade_softness_m = 1.5;       ///< with this logistic width.
+  double detect_edge = 0.50;          ///< 37 dB weaker at 1 m: answers only near by ...
+  double edge_half_range_m = 1.4;     ///< ... half as often at this distance ...
+  double edge_softness_m = 0.4;       ///< ... with this logistic width.
+  double detect_all_reflective = 0.70;
+  double detect_mirrored = 0.55;      ///< Two bounces off a wall and a corner: weaker than the corner itself.
+  double mirrored_range_m = 7.5;      ///< Half as often at this distance.
+  double beam_softness = 0.14;        ///< Logistic width of the beam's edge, as a share of the half-angle.
+  double coarse_softness_rad = degrees(4.0);  ///< Added to it while headings are on a coarse grid.
+  double range_floor_m = 0.012;       ///< Part of the range noise that does not grow with range: resolution, body sway.
+  double clutter = 0.14;              ///< Something unmapped answers first ...
+  double clutter_length_m = 2.5;      ///< ... at exponentially distributed ranges,
+  double arm = 0.03;                  ///< or an arm or a hand,
+  double arm_length_m = 0.25;         ///< much nearer still;
+  double late = 0.10;                 ///< or the first echo of an unanswered firing comes by two or more reflections.
+  double ghost = 0.02;                ///< A reading out of nowhere, uniform over the sensor's range.
+};
+
+/// The parameters for one belt, tabulated for the inner loop.
+class EchoModel {
+ public:
+  EchoModel(const BeltConfig& belt, const EchoModelParameters& parameters);
+
+  /// Probability that a reflector whose direction is off the beam's axis by an angle of this sine answers, before its
+  /// kind and distance are considered. 0 at and beyond the cut-off.
+  [[nodiscard]] double beam(double sine, bool coarse) const noexcept {
+    const double at = sine * beam_scale_;
+    const auto& table = coarse ? coarse_beam_ : fine_beam_;
+    if (!(at < kBeamEntries - 1)) return 0.0;
+    const auto i = static_cast<std::size_t>(at);
+    const double f = at - static_cast<double>(i);
+    return table[i] + f * (table[i + 1] - table[i]);
+  }
+
+  /// Factor for kind and distance.
+  [[nodiscard]] double reach(scene::ReflectorKind kind, double distance) const noexcept {
+    const auto& table = reach_[static_cast<std::size_t>(kind)];
+    const double at = distance * kReachPerMetre;
+    return at < kReachEntries ? table[static_cast<std::size_t>(at)] : 0.0;
+  }
+
+  /// Density of echoes that the map does not explain, per metre at range `r`, given that nothing nearer answered.
+  [[nodiscard]] double unexplained(double r) const noexcept {
+    const double at = r * kReachPerMetre;
+    return at < kReachEntries ? unexplained_[static_cast<std::size_t>(at)] : ghost_density_;
+  }
+
+  [[nodiscard]] double ghost_density() const noexcept { return ghost_density_; }
+  /// Probability that nothing unmapped answers either.
+  [[nodiscard]] double quiet() const noexcept { return quiet_; }
+  [[nodiscard]] double variance(double range) const noexcept {
+    const double spread = noise_share_ * range;
+    return floor2_ + spread * spread;
+  }
+  [[nodiscard]] double min_range() const noexcept { return min_range_; }
+  [[nodiscard]] double half_beam_sine() const noexcept { return half_beam_sine_; }
+  [[nodiscard]] double half_beam_cosine() const noexcept { return half_beam_cosine_; }
+  [[nodiscard]] scene::SightLimits sight_limits() const noexcept { return limits_; }
+
+ private:
+  static constexpr std::size_t kBeamEntries = 257;
+  static constexpr std::size_t kReachEntries = 600;
+  static constexpr double kReachPerMetre = 50.0;
+
+  std::array<double, kBeamEntries> fine_beam_{};
+  std::array<double, kBeamEntries> coarse_beam_{};
+  std::array<std::array<double, kReachEntries>, scene::kReflectorKinds> reach_{};
+  std::array<double, kReachEntries> unexplained_{};
+  double beam_scale_ = 0.0;
+  double ghost_density_ = 0.0;
+  double quiet_ = 1.0;
+  double noise_share_ = 0.0;
+  double floor2_ = 0.0;
+  double min_range_ = 0.0;
+  double half_beam_sine_ = 0.0;
+  double half_beam_cosine_ = 1.0;
+  scene::SightLimits limits_;
+};
+
+}  // namespace echoway::tracker

@@ -1,0 +1,43 @@
+#include "tracker/fit_monitor.hpp"
+
+#include <algorithm>
+
+#include "tracker/elementary.hpp"
+
+namespace echoway::tracker {
+namespace {
+
+constexpr double kShortMemory = 1.0 / 32.0;    // Per firing: two seconds.
+constexpr double kLongMemory = 1.0 / 320.0;
+constexpr double kShareMemory = 1.0 / 160.0;
+constexpr int kWarmUp = 24;
+constexpr double kPoorGain = 0.08;             // A right place gains 0.4 to 1.2 nats a firing over the reference.
+constexpr double kPoorShare = 0.25;            // Of the usual gain.
+
+// What readings look like when nothing is known of the place.
+double reference_density(double echo_share, bool echo, double range) noexcept {
+  if (!echo) return 1.0 - echo_share;
+  return echo_share * (0.75 / 2.0 * fast_exp(-range / 2.0) + 0.25 / 10.5);
+}
+
+}  // namespace
+
+void FitMonitor::observe(double log_density, bool echo, double range) noexcept {
+  const double gain = std::clamp(log_density - fast_log(reference_density(echo_share_, echo, range)), -4.0, 4.0);
+  short_ += kShortMemory * (gain - short_);
+  long_ += kLongMemory * (gain - long_);
+  echo_share_ += kShareMemory * ((echo ? 1.0 : 0.0) - echo_share_);
+  echo_share_ = std::clamp(echo_share_, 0.15, 0.85);
+  ++observed_;
+}
+
+void FitMonitor::reset() noexcept {
+  short_ = long_ = 0.5;
+  observed_ = 0;
+}
+
+bool FitMonitor::poor() const noexcept {
+  return observed_ >= kWarmUp && short_ < std::max(kPoorGain, kPoorShare * long_);
+}
+
+}  // namespace echoway::tracker

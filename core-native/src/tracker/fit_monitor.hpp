@@ -1,0 +1,25 @@
+#pragma once
+
+namespace echoway::tracker {
+
+/// Watches whether the tracked place keeps explaining the echoes better than no place at all would.
+class FitMonitor {
+ public:
+  /// `log_density` as the tracked hypothesis predicted the reading; `echo` and `range` say which reading it was.
+  void observe(double log_density, bool echo, double range) noexcept;
+  void reset() noexcept;
+
+  /// Mean log-likelihood gain per firing over the reference, over about two and about twenty seconds.
+  [[nodiscard]] double recent() const noexcept { return short_; }
+  [[nodiscard]] double usual() const noexcept { return long_; }
+  /// The echoes do not fit where we think the wearer is.
+  [[nodiscard]] bool poor() const noexcept;
+
+ private:
+  double echo_share_ = 0.45;
+  double short_ = 0.5;
+  double long_ = 0.5;
+  int observed_ = 0;
+};
+
+}  // namespace echoway::tracker

@@ -1,0 +1,64 @@
+#include "tracker/floor.hpp"
+
+#include <cmath>
+
+#include "tracker/elementary.hpp"
+
+namespace echoway::tracker {
+namespace {
+
+using scene::Opening;
+using scene::RoomScene;
+
+constexpr double kDoorwaySlack = 0.25;   // Beside the opening, where a slightly wrong mean still means the doorway.
+constexpr double kStride = 1.2;          // Beyond the door's plane, as far as one interval may carry a mean.
+constexpr double kWallSlack = 0.10;      // Maps and means are this wrong near walls.
+
+void enter(Particle& p, const Opening& o) noexcept {
+  const Vec2 r = o.rotation;
+  p.position = o.to_neighbour(p.position);
+  p.room = o.to;
+  if (r.x == 1.0) return;
+  p.heading = wrap_near(p.heading + std::atan2(r.y, r.x));
+  p.facing = {r.x * p.facing.x - r.y * p.facing.y, r.y * p.facing.x + r.x * p.facing.y};
+  Covariance& c = p.cov;
+  const double xx = c.xx, xy = c.xy, yy = c.yy, xs = c.xs, ys = c.ys, xk = c.xk, yk = c.yk;
+  c.xx = r.x * r.x * xx - 2.0 * r.x * r.y * xy + r.y * r.y * yy;
+  c.yy = r.y * r.y * xx + 2.0 * r.x * r.y * xy + r.x * r.x * yy;
+  c.xy = r.x * r.y * (xx - yy) + (r.x * r.x - r.y * r.y) * xy;
+  c.xs = r.x * xs - r.y * ys;
+  c.ys = r.y * xs + r.x * ys;
+  c.xk = r.x * xk - r.y * yk;
+  c.yk = r.y * xk + r.x * yk;
+}
+
+}  // namespace
+
+double settle_on_floor(Particle& p, scene::Scene& scene) noexcept {
+  if (scene.cell_at(p.room, p.position).plain_floor) {
+    const RoomScene& room = scene.room(p.room);
+    const Vec2 q = p.position;
+    if (q.x >= room.low.x && q.y >= room.low.y && q.x <= room.high.x && q.y <= room.high.y) return 1.0;
+  }
+  const RoomScene& room = scene.room(p.room);
+  if (room.floor.contains(p.position)) return 1.0;
+  bool in_doorway = false;
+  for (const Opening& o : room.openings) {
+    const Vec2 off = p.position - o.centre;
+    if (std::abs(dot(off, o.tangent)) > o.half_width + kDoorwaySlack) continue;
+    const double across = std::abs(cross(off, o.tangent));
+    if (across > kStride + o.gap) continue;
+    if (scene.room(o.to).floor.contains(o.to_neighbour(p.position))) {
+      enter(p, o);
+      return 1.0;
+    }
+    if (across > o.gap + kWallSlack) continue;
+    in_doorway = true;
+  }
+  if (in_doorway) return 1.0;
+  const double outside = room.floor.distance(p.position);
+  const double variance = kWallSlack * kWallSlack + 0.5 * (p.cov.xx + p.cov.yy);
+  return fast_exp(-0.5 * outside * outside / variance);
+}
+
+}  // namespace echoway::tracker

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "scene/scene.hpp"
+#include "tracker/particle.hpp"
+
+namespace echoway::tracker {
+
+/// Keeps a particle's room in step with its position: through a door it changes room (and frame); walls are not walked
+/// through. Returns a factor for its weight, 1 on the floor, less the farther its mean stands outside, in terms of its
+/// own uncertainty.
+[[nodiscard]] double settle_on_floor(Particle& particle, scene::Scene& scene) noexcept;
+
+}  // namespace echoway::tracker

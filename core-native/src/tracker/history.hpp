@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "tracker/motion.hpp"
+
+namespace echoway::tracker {
+
+/// A firing as the filter used it, kept so that a search can try other places on the same evidence.
+struct Record {
+  Interval interval{};       ///< Since the firing before.
+  int sensor = 0;
+  bool echo = false;
+  double range = 0.0;
+  double trust = 1.0;
+  double log_main = 0.0;     ///< Log density that the tracked hypothesis gave it.
+};
+
+/// The last kSize firings, by a running number.
+class History {
+ public:
+  static constexpr std::uint64_t kSize = 2048;
+
+  void push(const Record& record) noexcept { records_[next_++ % kSize] = record; }
+  [[nodiscard]] std::uint64_t end() const noexcept { return next_; }
+  [[nodiscard]] std::uint64_t begin() const noexcept { return next_ > kSize ? next_ - kSize : 0; }
+  [[nodiscard]] const Record& operator[](std::uint64_t number) const noexcept { return records_[number % kSize]; }
+  [[nodiscard]] Record& back() noexcept { return records_[(next_ - 1) % kSize]; }
+  void clear() noexcept { next_ = 0; }
+
+ private:
+  std::array<Record, kSize> records_{};
+  std::uint64_t next_ = 0;
+};
+
+}  // namespace echoway::tracker

@@ -1,0 +1,128 @@
+#include "tracker/likelihood.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracker/elementary.hpp"
+
+namespace echoway::tracker {
+namespace {
+
+constexpr double kInvSqrtTwoPi = 0.3989422804014327;
+constexpr double kGate2 = 30.0;            // Squared innovations beyond this many variances weigh nothing.
+constexpr double kLeastShare = 1e-3;       // Updates of smaller association probability are skipped.
+constexpr double kSmallest = 1e-12;        // A density never falls below this.
+
+// P h for the measurement direction h = (gx, gy, 0, range).
+struct Direction {
+  double x, y, s, k;
+};
+
+Direction times(const Covariance& c, Vec2 g, double gk) noexcept {
+  return {c.xx * g.x + c.xy * g.y + c.xk * gk, c.xy * g.x + c.yy * g.y + c.yk * gk,
+          c.xs * g.x + c.ys * g.y + c.sk * gk, c.xk * g.x + c.yk * g.y + c.kk * gk};
+}
+
+// cov += f * d d^T
+void add_outer(Covariance& c, const Direction& d, double f) noexcept {
+  c.xx += f * d.x * d.x;
+  c.xy += f * d.x * d.y;
+  c.xs += f * d.x * d.s;
+  c.xk += f * d.x * d.k;
+  c.yy += f * d.y * d.y;
+  c.ys += f * d.y * d.s;
+  c.yk += f * d.y * d.k;
+  c.ss += f * d.s * d.s;
+  c.sk += f * d.s * d.k;
+  c.kk += f * d.k * d.k;
+}
+
+void move(Particle& p, const Direction& d, double f) noexcept {
+  p.position = p.position + Vec2{f * d.x, f * d.y};
+  p.speed += f * d.s;
+  p.log_scale += f * d.k;
+}
+
+struct Association {
+  double weight;       // Chance times Gaussian.
+  double innovation;
+  double variance;
+  Direction direction;
+};
+
+}  // namespace
+
+double assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept {
+  const ExpectedEchoes expected = expect(p, shot, model, scene);
+  if (!shot.echo) {
+    double survival = 1.0;
+    for (int j = 0; j < expected.count; ++j) survival *= 1.0 - expected.echo[static_cast<std::size_t>(j)].chance;
+    return std::max(kSmallest, model.quiet() * (1.0 - shot.trust * (1.0 - survival)));
+  }
+
+  std::array<Association, ExpectedEchoes::kMax> found;
+  std::size_t count = 0;
+  double survival = 1.0;
+  double survival_at_range = 1.0;
+  double explained = 0.0;
+  for (int j = 0; j < expected.count; ++j) {
+    const ExpectedEcho& e = expected.echo[static_cast<std::size_t>(j)];
+    const double innovation = shot.range - e.range * (1.0 + p.log_scale);
+    const double noise = model.variance(e.range) + e.extra_variance;
+    const Direction direction = times(p.cov, e.gradient, e.range);
+    const double own = direction.x * e.gradient.x + direction.y * e.gradient.y + direction.k * e.range;
+    const double variance = noise + std::max(own, 0.0);
+    const double normalized = innovation * innovation / variance;
+    if (normalized < kGate2) {
+      const double density = kInvSqrtTwoPi / std::sqrt(variance) * fast_exp(-0.5 * normalized);
+      found[count++] = {survival * e.chance * density, innovation, variance, direction};
+      explained += found[count - 1].weight;
+    }
+    survival *= 1.0 - e.chance;
+    if (e.range < shot.range) survival_at_range = survival;
+  }
+  const double total = model.quiet() * explained + survival_at_range * model.unexplained(shot.range) + model.ghost_density();
+  const double density = std::max(kSmallest, total);
+
+  const double scale = shot.trust * model.quiet() / density;
+  double mean_gain = 0.0;
+  for (std::size_t j = 0; j < count; ++j) mean_gain += scale * found[j].weight;
+  if (mean_gain > kLeastShare) {
+    Direction shift{0.0, 0.0, 0.0, 0.0};
+    for (std::size_t j = 0; j < count; ++j) {
+      const Association& a = found[j];
+      const double share = scale * a.weight;
+      const double f = a.innovation / a.variance;
+      shift.x += share * f * a.direction.x;
+      shift.y += share * f * a.direction.y;
+      shift.s += share * f * a.direction.s;
+      shift.k += share * f * a.direction.k;
+    }
+    for (std::size_t j = 0; j < count; ++j) {
+      const Association& a = found[j];
+      const double share = scale * a.weight;
+      const double f = a.innovation / a.variance;
+      // Shrinkage of the association's own update, and the spread between associations.
+      add_outer(p.cov, a.direction, share * (f * f - 1.0 / a.variance));
+    }
+    add_outer(p.cov, shift, -1.0);
+    move(p, shift, 1.0);
+  }
+  return shot.trust * density + (1.0 - shot.trust) * model.unexplained(shot.range);
+}
+
+void observe_speed(Particle& p, double speed, double variance) noexcept {
+  const Direction d{p.cov.xs, p.cov.ys, p.cov.ss, p.cov.sk};
+  const double s = p.cov.ss + variance;
+  move(p, d, (speed - p.speed) / s);
+  add_outer(p.cov, d, -1.0 / s);
+}
+
+void observe_log_scale(Particle& p, double log_scale, double variance) noexcept {
+  const Direction d{p.cov.xk, p.cov.yk, p.cov.sk, p.cov.kk};
+  const double s = p.cov.kk + variance;
+  move(p, d, (log_scale - p.log_scale) / s);
+  add_outer(p.cov, d, -1.0 / s);
+}
+
+}  // namespace echoway::tracker

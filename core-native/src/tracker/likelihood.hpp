@@ -1,0 +1,52 @@
+#pragma once
+
+#include "echoway/belt/belt.hpp"
+#include "scene/scene.hpp"
+#include "tracker/echo_model.hpp"
+#include "tracker/particle.hpp"
+
+namespace echoway::tracker {
+
+/// One firing, prepared for all particles.
+struct Shot {
+  Vec2 bearing{1.0, 0.0};   ///< cos, sin of the sensor's direction on the belt.
+  double bearing_rad = 0.0;
+  double radius = 0.0;      ///< Axis to transducer, metres.
+  double range = 0.0;       ///< Metres; ignored without an echo.
+  bool echo = false;
+  bool coarse = false;      ///< Particles stand for cells of headings.
+  double trust = 1.0;       ///< 0: the sensor says nothing, 1: believe the model.
+};
+
+/// An echo that the map lets a particle expect.
+struct ExpectedEcho {
+  double range = 0.0;       ///< True distance from the transducer's face.
+  double chance = 0.0;      ///< That it answers when nothing nearer does.
+  double extra_variance = 0.0;
+  Vec2 gradient{};          ///< Of `range` over position.
+};
+
+/// Expected echoes, nearest first.
+struct ExpectedEchoes {
+  static constexpr int kMax = 8;
+  int count = 0;
+  std::array<ExpectedEcho, kMax> echo;
+};
+
+[[nodiscard]] ExpectedEchoes expect(const Particle& particle, const Shot& shot, const EchoModel& model,
+                                    scene::Scene& scene) noexcept;
+
+/// Density of the shot's reading given the particle, per metre for an echo and a plain probability for none, and the
+/// particle's Gaussian updated with it. Reflectors answer in order of distance, the nearest that does wins:
+///   p(z) = sum_j c_j prod_{i<j} (1 - c_i) N(z; d_j, S_j) + unmapped(z) prod_{d_i < z} (1 - c_i) + ghost,
+///   p(none) = quiet prod (1 - c_i).
+/// The update merges the association hypotheses into one Gaussian (probabilistic data association, Bar-Shalom and Fortmann
+/// 1988, section 6.4). Always finite and positive.
+[[nodiscard]] double assimilate(Particle& particle, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept;
+
+/// Kalman update of speed alone with a reading of variance `variance`.
+void observe_speed(Particle& particle, double speed, double variance) noexcept;
+/// Likewise of the log sound-speed scale.
+void observe_log_scale(Particle& particle, double log_scale, double variance) noexcept;
+
+}  // namespace echoway::tracker

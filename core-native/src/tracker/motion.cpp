@@ -1,0 +1,201 @@
+#include "tracker/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "echoway/geometry/pose2.hpp"
+#include "tracker/elementary.hpp"
+#include "tracker/likelihood.hpp"
+
+namespace echoway::tracker {
+namespace {
+
+constexpr double kStaleRate = 0.5;          // Seconds for which a yaw rate is held.
+constexpr double kFastestTurn = 20.0;       // rad/s; beyond it a gyroscope is broken.
+constexpr double kStepLateness = 0.3;
+constexpr double kShortestStep = 0.25;      // Seconds between two real steps.
+constexpr double kLongestStep = 2.0;
+constexpr double kDefaultStep = 1.0;
+constexpr double kStepWithoutWalking = 0.12;   // Likelihood of a step event while standing, against walking.
+constexpr double kMostSpeedVariance = 0.25; // (m/s)^2; people walk, they do not drift ever faster.
+
+void forget_speed(Particle& p, double speed, double sigma) noexcept {
+  p.speed = speed;
+  p.cov.xs = p.cov.ys = p.cov.sk = 0.0;
+  p.cov.ss = sigma * sigma;
+}
+
+void scale_speed_row(Covariance& c, double f) noexcept {
+  c.xs *= f;
+  c.ys *= f;
+  c.sk *= f;
+  c.ss *= f * f;
+}
+
+void predict(Particle& p, double dt, const MotionParameters& m, double pace) noexcept {
+  const double dx = p.facing.x * dt;
+  const double dy = p.facing.y * dt;
+  p.position = p.position + Vec2{dx * p.speed, dy * p.speed};
+  Covariance& c = p.cov;
+  c.xx += 2.0 * dx * c.xs + dx * dx * c.ss + m.sway * m.sway * dt;
+  c.xy += dx * c.ys + dy * c.xs + dx * dy * c.ss;
+  c.yy += 2.0 * dy * c.ys + dy * dy * c.ss + m.sway * m.sway * dt;
+  c.xs += dx * c.ss;
+  c.ys += dy * c.ss;
+  c.xk += dx * c.sk;
+  c.yk += dy * c.sk;
+  c.kk += m.scale_drift * m.scale_drift * dt;
+  if (p.gait == Gait::walking) {
+    const double back = std::min(1.0, dt / m.pace_memory);
+    p.speed += back * (pace - p.speed);
+    scale_speed_row(c, 1.0 - back);
+    c.ss += m.pace_drift * m.pace_drift * dt;
+  } else if (p.gait == Gait::unknown) {
+    c.ss += m.speed_drift * m.speed_drift * dt;
+    if (c.ss > kMostSpeedVariance) scale_speed_row(c, std::sqrt(kMostSpeedVariance / c.ss));
+  }
+  p.speed = std::clamp(p.speed, -m.fastest, m.fastest);
+}
+
+void change_gait(Particle& p, double dt, const MotionParameters& m, double pace, Random& random) noexcept {
+  const double rate = p.gait == Gait::walking ? m.stop_rate : m.start_rate;
+  if (random.uniform() >= 1.0 - fast_exp(-rate * dt)) return;
+  if (p.gait == Gait::walking) {
+    p.gait = Gait::standing;
+    forget_speed(p, 0.0, m.standing_sigma);
+  } else {
+    p.gait = Gait::walking;
+    forget_speed(p, pace, m.start_sigma);
+  }
+  const double along = m.change_sigma * m.change_sigma;
+  p.cov.xx += along * p.facing.x * p.facing.x;
+  p.cov.xy += along * p.facing.x * p.facing.y;
+  p.cov.yy += along * p.facing.y * p.facing.y;
+}
+
+void turn_unaided(Particle& p, double dt, const MotionParameters& m, Random& random) noexcept {
+  if (random.uniform() < m.turn_change_rate * dt) {
+    const bool turning = random.uniform() < m.turning_share;
+    p.turn_rate = (turning ? m.turn_sigma : m.straight_sigma) * cheap_normal(random);
+  }
+  p.heading += p.turn_rate * dt + m.gyro_noise * std::sqrt(dt) * cheap_normal(random);
+}
+
+}  // namespace
+
+void HintIntegrator::integrate_to(double time_s) noexcept {
+  if (!clock_set_) {
+    clock_ = time_s;
+    clock_set_ = true;
+    return;
+  }
+  const double dt = time_s - clock_;
+  if (!(dt > 0.0)) return;
+  const double held = std::min(dt, std::max(0.0, last_rate_time_ + kStaleRate - clock_));
+  turn_ += rate_ * held;
+  clock_ = time_s;
+}
+
+void HintIntegrator::reset_clock() noexcept {
+  clock_set_ = false;
+  turn_ = 0.0;
+  last_rate_time_ = last_heading_time_ = last_step_ = -1e300;
+}
+
+void HintIntegrator::on_hint(const MotionHint& hint) noexcept {
+  if (!std::isfinite(hint.time_s) || !std::isfinite(hint.value)) return;
+  switch (hint.kind) {
+    case MotionKind::yaw_rate:
+      if (std::abs(hint.value) > kFastestTurn || hint.time_s < last_rate_time_) return;
+      integrate_to(hint.time_s);
+      rate_ = hint.value;
+      last_rate_time_ = hint.time_s;
+      break;
+    case MotionKind::heading: {
+      const double dt = hint.time_s - last_heading_time_;
+      if (dt <= 0.0) return;
+      const double change = wrap_angle(hint.value - last_heading_);
+      last_heading_ = hint.value;
+      last_heading_time_ = hint.time_s;
+      // A compass only stands in for a gyroscope that is not there.
+      if (hint.time_s - last_rate_time_ < kStaleRate || dt > kStaleRate) return;
+      integrate_to(hint.time_s);
+      turn_ += change;
+      break;
+    }
+    case MotionKind::step: {
+      const double since = hint.time_s - last_step_;
+      if (since < kShortestStep) return;
+      if (since < kLongestStep) step_interval_ = step_interval_ > 0.0 ? 0.7 * step_interval_ + 0.3 * since : since;
+      last_step_ = hint.time_s;
+      fresh_step_ = true;
+      break;
+    }
+  }
+}
+
+Interval HintIntegrator::close(double time_s, double seconds) noexcept {
+  integrate_to(time_s);
+  Interval interval;
+  interval.seconds = seconds;
+  interval.turn_known = time_s - last_rate_time_ < kStaleRate || time_s - last_heading_time_ < kStaleRate;
+  interval.turn = turn_;
+  turn_ = 0.0;
+  return interval;
+}
+
+HintIntegrator::GaitEvidence HintIntegrator::take_gait_evidence(double time_s, double seconds) noexcept {
+  GaitEvidence evidence;
+  if (fresh_step_) {
+    fresh_step_ = false;
+    evidence.standing = kStepWithoutWalking;
+    return evidence;
+  }
+  const double since = time_s - last_step_;
+  if (since > 30.0) return evidence;   // No step detector, or none that works.
+  // A walker's next step is overdue a little after the usual interval; the detector may miss one and is late.
+  const double usual = step_interval_ > 0.0 ? std::min(step_interval_, kLongestStep) : kDefaultStep;
+  if (since > 0.9 * usual + kStepLateness) evidence.walking = fast_exp(-0.9 / usual * seconds);
+  return evidence;
+}
+
+void advance(Particle& p, const Interval& interval, const MotionParameters& m, double pace, Random& random) noexcept {
+  const double dt = interval.seconds;
+  if (!(dt > 0.0)) return;
+  const double before = p.heading;
+  if (interval.turn_known) {
+    const double root = std::sqrt(dt);
+    p.heading += interval.turn - p.gyro_bias * dt + m.gyro_noise * root * cheap_normal(random);
+    p.gyro_bias += m.gyro_bias_drift * root * cheap_normal(random);
+  } else {
+    turn_unaided(p, dt, m, random);
+  }
+  // The mean direction over the interval carries the walk; the final one aims the sensors.
+  const SinCos mid = fast_sincos(0.5 * (before + p.heading));
+  p.facing = {mid.cos, mid.sin};
+  change_gait(p, dt, m, pace, random);
+  predict(p, dt, m, pace);
+  p.heading = wrap_near(p.heading);
+  const SinCos end = fast_sincos(p.heading);
+  p.facing = {end.cos, end.sin};
+}
+
+void advance_mean(Particle& p, const Interval& interval, const MotionParameters& m) noexcept {
+  const double dt = interval.seconds;
+  if (!(dt > 0.0)) return;
+  const double turn = interval.turn_known ? interval.turn - p.gyro_bias * dt : 0.0;
+  const SinCos mid = fast_sincos(p.heading + 0.5 * turn);
+  p.facing = {mid.cos, mid.sin};
+  predict(p, dt, m, p.speed);
+  p.heading = wrap_near(p.heading + turn);
+  const SinCos end = fast_sincos(p.heading);
+  p.facing = {end.cos, end.sin};
+}
+
+void settle_gait(Particle& p, const MotionParameters& m, Random& random) noexcept {
+  const double drawn = p.speed + std::sqrt(p.cov.ss) * cheap_normal(random);
+  p.gait = drawn > 0.2 ? Gait::walking : Gait::standing;
+  if (p.gait == Gait::standing) observe_speed(p, 0.0, m.standing_sigma * m.standing_sigma);
+}
+
+}  // namespace echoway::tracker

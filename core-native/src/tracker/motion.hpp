@@ -1,0 +1,81 @@
+#pragma once
+
+#include "echoway/motion/motion_hint.hpp"
+#include "echoway/random.hpp"
+#include "tracker/particle.hpp"
+
+namespace echoway::tracker {
+
+/// How people walk, and how their phone's sensors see it. Standard deviations; "per root second" ones grow with the root
+/// of time.
+struct MotionParameters {
+  double start_speed = 0.35, start_speed_sigma = 0.40;     ///< m/s, before anything is known.
+  double speed_drift = 0.30;             ///< m/s per root second, while the gait is unknown.
+  double pace_drift = 0.08;              ///< m/s per root second, while walking,
+  double pace_memory = 5.0;              ///< with a return to the wearer's usual pace in so many seconds.
+  double stop_rate = 0.12;               ///< 1/s: walking ends,
+  double start_rate = 0.35;              ///< and begins.
+  double start_sigma = 0.12;             ///< m/s: how well the usual pace tells the pace of a new start.
+  double change_sigma = 0.06;            ///< m along the heading that a start or stop takes or gives.
+  double standing_sigma = 0.03;          ///< m/s: shuffling.
+  double sway = 0.035;                   ///< m per root second, any direction: gait, side steps.
+  double gyro_bias_sigma = degrees(1.5); ///< rad/s, of an unknown phone.
+  double gyro_bias_drift = degrees(0.05);///< rad/s per root second.
+  double gyro_noise = degrees(0.8);      ///< rad per root second.
+  double turn_change_rate = 1.0;         ///< 1/s: without a gyroscope a turn begins or ends this often;
+  double turning_share = 0.35;           ///< this share of the changes begins one,
+  double turn_sigma = degrees(50.0);     ///< this fast (rad/s),
+  double straight_sigma = degrees(4.0);  ///< the others leave this much.
+  double scale_sigma = 0.015;            ///< ln of the sound-speed scale at the start (9 K) ...
+  double scale_drift = 2e-4;             ///< ... and per root second.
+  double fastest = 2.2;                  ///< m/s.
+};
+
+/// What the hints say about the time between two firings.
+struct Interval {
+  double seconds = 0.0;
+  bool turn_known = false;
+  double turn = 0.0;                     ///< Radians, when known; includes the gyroscope's bias.
+};
+
+/// Integrates motion hints between firings. Late and missing hints are bridged; impossible ones are ignored.
+class HintIntegrator {
+ public:
+  void on_hint(const MotionHint& hint) noexcept;
+  /// Closes the interval that ends with a firing at `time_s`.
+  [[nodiscard]] Interval close(double time_s, double seconds) noexcept;
+
+  /// What the steps heard since the last call (or their absence) say: factors for the likelihood of either gait.
+  struct GaitEvidence {
+    double standing = 1.0;
+    double walking = 1.0;
+  };
+  [[nodiscard]] GaitEvidence take_gait_evidence(double time_s, double seconds) noexcept;
+  void reset_clock() noexcept;
+
+ private:
+  void integrate_to(double time_s) noexcept;
+
+  double clock_ = 0.0;
+  bool clock_set_ = false;
+  double turn_ = 0.0;
+  double rate_ = 0.0;
+  double last_rate_time_ = -1e300;
+  double last_heading_ = 0.0;
+  double last_heading_time_ = -1e300;
+
+  double last_step_ = -1e300;
+  double step_interval_ = 0.0;       ///< Smoothed; 0 before two steps.
+  bool fresh_step_ = false;
+};
+
+/// Moves `particle` through `interval`, with noise from `random`; `pace` is the wearer's usual walking speed.
+void advance(Particle& particle, const Interval& interval, const MotionParameters& parameters, double pace, Random& random) noexcept;
+
+/// Moves the mean of a particle of unknown gait, without drawing noise: the search replays firings with it.
+void advance_mean(Particle& particle, const Interval& interval, const MotionParameters& parameters) noexcept;
+
+/// Gives a particle of unknown gait the gait that its speed suggests.
+void settle_gait(Particle& particle, const MotionParameters& parameters, Random& random) noexcept;
+
+}  // namespace echoway::tracker

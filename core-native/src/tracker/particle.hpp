@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+
+#include "echoway/building/building.hpp"
+#include "echoway/geometry/vec2.hpp"
+
+namespace echoway::tracker {
+
+/// Upper triangle of the covariance of (x, y, speed, log sound-speed scale), row by row.
+struct Covariance {
+  double xx = 0.0, xy = 0.0, xs = 0.0, xk = 0.0;
+  double yy = 0.0, ys = 0.0, yk = 0.0;
+  double ss = 0.0, sk = 0.0;
+  double kk = 0.0;
+};
+
+enum class Gait : std::uint8_t {
+  unknown,    ///< Anything between standing and walking: candidates of the search.
+  standing,   ///< Perhaps turning on the spot.
+  walking,    ///< Along the heading, at a pace that changes slowly.
+};
+
+/// One hypothesis of a Rao-Blackwellised filter (Doucet et al. 2000): room, gait, heading and what turns it are sampled; given
+/// them, every range is almost linear in position, speed and sound-speed scale, which a Kalman filter carries exactly.
+struct Particle {
+  double weight = 0.0;
+  RoomIndex room = kNoRoom;
+  Gait gait = Gait::unknown;
+  Vec2 position{};           ///< Mean, in the room's frame.
+  double speed = 0.0;        ///< Mean, along the heading.
+  double log_scale = 0.0;    ///< Mean of ln(measured range / true range).
+  Covariance cov{};
+  double heading = 0.0;      ///< [-pi, pi], in the room's frame.
+  Vec2 facing{1.0, 0.0};     ///< cos, sin of heading.
+  double gyro_bias = 0.0;    ///< rad/s, what the gyroscope reads when nothing turns.
+  double turn_rate = 0.0;    ///< rad/s, when no gyroscope tells.
+};
+
+}  // namespace echoway::tracker

@@ -1,0 +1,207 @@
+#include "tracker/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracker/elementary.hpp"
+#include "tracker/floor.hpp"
+
+namespace echoway::tracker {
+namespace {
+
+constexpr double kNowhere = -1e300;
+
+bool less_likely_on_top(double a, double b) noexcept { return a > b; }
+
+double replay(Particle& p, const Record& record, const Search::Tools& tools, bool coarse) noexcept {
+  advance_mean(p, record.interval, tools.motion);
+  const double bearing = tools.belt.bearing(record.sensor);
+  const SinCos b = fast_sincos(bearing);
+  Shot shot;
+  shot.bearing = {b.cos, b.sin};
+  shot.bearing_rad = bearing;
+  shot.radius = tools.belt.radius_m;
+  shot.range = record.range;
+  shot.echo = record.echo;
+  shot.coarse = coarse;
+  shot.trust = record.trust;
+  const double density = record.trust > 0.0 ? assimilate(p, shot, tools.model, tools.scene) : 1.0;
+  return fast_log(density * std::max(1e-9, settle_on_floor(p, tools.scene)));
+}
+
+}  // namespace
+
+Search::Search(const scene::Scene& scene, const Parameters& parameters) : parameters_(parameters) {
+  survivors_.resize(parameters_.keep);
+  double area = 0.0;
+  for (std::size_t r = 0; r < scene.room_count(); ++r) {
+    const auto& room = scene.room(static_cast<RoomIndex>(r));
+    area += (room.high.x - room.low.x) * (room.high.y - room.low.y);
+  }
+  const double headings = kTwoPi / parameters_.heading_step;
+  spacing_ = std::max(parameters_.spacing, std::sqrt(area * headings / static_cast<double>(parameters_.most_candidates)));
+}
+
+void Search::start(const SearchDomain& domain, std::uint64_t begin, std::uint64_t end) noexcept {
+  phase_ = Phase::sweeping;
+  domain_ = domain;
+  begin_ = begin;
+  end_ = end;
+  room_ = domain.only_room == kNoRoom ? 0 : domain.only_room;
+  columns_ = 0;
+  tried_ = count_ = cursor_ = 0;
+  best_.fill(kNowhere);
+  turns_ = domain.heading ? 5 : static_cast<int>(std::lround(kTwoPi / parameters_.heading_step));
+}
+
+void Search::enter_room(const scene::Scene& scene) noexcept {
+  const auto& room = scene.room(room_);
+  const Vec2 size = room.high - room.low;
+  columns_ = std::max(1, static_cast<int>(std::ceil(size.x / spacing_)));
+  rows_ = std::max(1, static_cast<int>(std::ceil(size.y / spacing_)));
+  origin_ = room.low + 0.5 * Vec2{size.x - spacing_ * (columns_ - 1), size.y - spacing_ * (rows_ - 1)};
+  column_ = row_ = turn_ = 0;
+  floor_checked_ = false;
+}
+
+bool Search::next_candidate(const scene::Scene& scene, Vec2& position, double& heading) noexcept {
+  for (;;) {
+    if (columns_ == 0) {
+      if (room_ >= static_cast<RoomIndex>(scene.room_count())) return false;
+      enter_room(scene);
+    }
+    while (row_ < rows_) {
+      position = origin_ + Vec2{spacing_ * column_, spacing_ * row_};
+      if (!floor_checked_) {
+        floor_checked_ = scene.room(room_).floor.contains(position);
+        if (!floor_checked_) turn_ = turns_;
+      }
+      if (turn_ < turns_) {
+        heading = domain_.heading ? *domain_.heading + domain_.heading_sigma * (turn_ - 0.5 * (turns_ - 1))
+                                  : -kPi + parameters_.heading_step * (turn_ + 0.5);
+        ++turn_;
+        return true;
+      }
+      turn_ = 0;
+      floor_checked_ = false;
+      if (++column_ == columns_) {
+        column_ = 0;
+        ++row_;
+      }
+    }
+    columns_ = 0;
+    if (domain_.only_room != kNoRoom) return false;
+    ++room_;
+  }
+}
+
+void Search::keep(const Survivor& survivor) noexcept {
+  const auto order = [](const Survivor& a, const Survivor& b) { return less_likely_on_top(a.log_likelihood, b.log_likelihood); };
+  const auto first = survivors_.begin();
+  if (count_ < survivors_.size()) {
+    survivors_[count_++] = survivor;
+    std::push_heap(first, first + static_cast<std::ptrdiff_t>(count_), order);
+  } else if (survivor.log_likelihood > survivors_.front().log_likelihood) {
+    std::pop_heap(first, survivors_.end(), order);
+    survivors_.back() = survivor;
+    std::push_heap(first, survivors_.end(), order);
+  }
+}
+
+std::size_t Search::try_candidate(const Tools& tools, Vec2 position, double heading) noexcept {
+  Survivor s;
+  Particle& p = s.particle;
+  p.room = room_;
+  p.position = position;
+  p.heading = wrap_near(heading);
+  const SinCos f = fast_sincos(p.heading);
+  p.facing = {f.cos, f.sin};
+  p.speed = tools.motion.start_speed;
+  p.gyro_bias = tools.gyro_bias;
+  p.log_scale = tools.log_scale;
+  const double sigma = 0.45 * spacing_;
+  p.cov.xx = p.cov.yy = sigma * sigma;
+  p.cov.ss = tools.motion.start_speed_sigma * tools.motion.start_speed_sigma;
+  p.cov.kk = tools.log_scale_sigma * tools.log_scale_sigma;
+  std::size_t spent = 0;
+  for (std::uint64_t n = begin_; n < end_; ++n) {
+    const std::size_t at = static_cast<std::size_t>(n - begin_);
+    Record record = tools.history[n];
+    if (at == 0) record.interval = {};
+    s.log_likelihood += replay(p, record, tools, true);
+    ++spent;
+    if (at < kCheckpoints) {
+      if (s.log_likelihood < best_[at] - parameters_.give_up) return spent;
+      best_[at] = std::max(best_[at], s.log_likelihood);
+    }
+  }
+  s.next = end_;
+  keep(s);
+  return spent;
+}
+
+bool Search::work(const Tools& tools) noexcept {
+  std::size_t spent = 0;
+  while (phase_ == Phase::sweeping && spent < parameters_.budget) {
+    Vec2 position;
+    double heading = 0.0;
+    if (!next_candidate(tools.scene, position, heading)) {
+      phase_ = Phase::catching_up;
+      cursor_ = 0;
+      break;
+    }
+    ++tried_;
+    const std::size_t compiled = tools.scene.cells_compiled();
+    spent += try_candidate(tools, position, heading);
+    spent += parameters_.cell_cost * (tools.scene.cells_compiled() - compiled);
+  }
+  if (phase_ == Phase::catching_up && spent < parameters_.budget) return catch_up(tools, parameters_.budget - spent);
+  return false;
+}
+
+bool Search::catch_up(const Tools& tools, std::size_t budget) noexcept {
+  std::size_t spent = 0;
+  for (; cursor_ < count_ && spent < budget; ++cursor_) {
+    Survivor& s = survivors_[cursor_];
+    for (; s.next < tools.history.end(); ++s.next, ++spent) s.log_likelihood += replay(s.particle, tools.history[s.next], tools, true);
+  }
+  if (cursor_ < count_) return false;
+  // Those that were brought up in earlier slices may lag a few firings behind.
+  for (std::size_t i = 0; i < count_; ++i) {
+    Survivor& s = survivors_[i];
+    for (; s.next < tools.history.end(); ++s.next) s.log_likelihood += replay(s.particle, tools.history[s.next], tools, true);
+  }
+  finish();
+  return true;
+}
+
+void Search::finish() noexcept {
+  phase_ = Phase::done;
+  double best = kNowhere;
+  for (std::size_t i = 0; i < count_; ++i) best = std::max(best, survivors_[i].log_likelihood);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    survivors_[i].particle.weight = fast_exp(survivors_[i].log_likelihood - best);
+    sum += survivors_[i].particle.weight;
+  }
+  log_evidence_ = count_ == 0 ? kNowhere : best + fast_log(sum) - fast_log(static_cast<double>(std::max<std::size_t>(tried_, 1)));
+}
+
+void Search::take(Population& out, Random& random, const MotionParameters& motion) noexcept {
+  out.clear();
+  for (std::size_t i = 0; i < count_; ++i) out.push(survivors_[i].particle);
+  if (out.empty()) return;
+  out.normalize();
+  out.resample(out.capacity(), random);
+  const double half_step = 0.5 * (domain_.heading ? domain_.heading_sigma : parameters_.heading_step);
+  for (Particle& p : out.particles()) {
+    p.heading = wrap_near(p.heading + random.uniform(-half_step, half_step));
+    const SinCos f = fast_sincos(p.heading);
+    p.facing = {f.cos, f.sin};
+    p.gyro_bias += motion.gyro_bias_sigma * cheap_normal(random);
+    settle_gait(p, motion, random);
+  }
+  phase_ = Phase::idle;
+}
+
+}  // namespace echoway::tracker

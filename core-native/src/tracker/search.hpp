@@ -1,0 +1,97 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "tracker/history.hpp"
+#include "tracker/likelihood.hpp"
+#include "tracker/population.hpp"
+
+namespace echoway::tracker {
+
+/// Where to look.
+struct SearchDomain {
+  RoomIndex only_room = kNoRoom;              ///< kNoRoom: everywhere.
+  std::optional<double> heading;              ///< In that room's frame; unset: all round.
+  double heading_sigma = degrees(6.0);
+};
+
+/// Looks for the wearer over a whole building: a grid of positions and headings is replayed through a window of recent
+/// firings, each candidate a coarse particle, dropped as soon as it falls hopelessly behind the best. The work is cut
+/// into slices, so that one firing never costs more than its budget; survivors are brought up to the present at the end.
+class Search {
+ public:
+  struct Parameters {
+    double spacing = 0.36;               ///< Metres between positions.
+    double heading_step = degrees(10.0);
+    double give_up = 13.0;               ///< Log likelihood behind the best at the same firing.
+    std::size_t keep = 1024;             ///< Survivors.
+    std::size_t budget = 14000;          ///< Likelihoods evaluated per slice ...
+    std::size_t cell_cost = 150;         ///< ... of which a cell that must first be compiled costs this many.
+    std::size_t most_candidates = 1500000;
+  };
+
+  Search(const scene::Scene& scene, const Parameters& parameters);
+
+  /// Starts over the firings [`begin`, `end`) of the history. No allocation.
+  void start(const SearchDomain& domain, std::uint64_t begin, std::uint64_t end) noexcept;
+  void stop() noexcept { phase_ = Phase::idle; }
+  [[nodiscard]] bool running() const noexcept { return phase_ == Phase::sweeping || phase_ == Phase::catching_up; }
+
+  struct Tools {
+    const EchoModel& model;
+    scene::Scene& scene;
+    const MotionParameters& motion;
+    const BeltConfig& belt;
+    const History& history;
+    double log_scale;                    ///< What is known of the sound-speed scale.
+    double log_scale_sigma;
+    double gyro_bias;
+  };
+  /// Works for one slice. Returns true when the survivors stand at the present and may be taken.
+  bool work(const Tools& tools) noexcept;
+
+  /// Puts the survivors into `out`, weighted; at most its capacity.
+  void take(Population& out, Random& random, const MotionParameters& motion) noexcept;
+  /// Log of the mean likelihood of the window's firings (up to the present) over the whole domain.
+  [[nodiscard]] double log_evidence() const noexcept { return log_evidence_; }
+  [[nodiscard]] std::uint64_t window_begin() const noexcept { return begin_; }
+
+ private:
+  enum class Phase { idle, sweeping, catching_up, done };
+  struct Survivor {
+    Particle particle;
+    double log_likelihood = 0.0;
+    std::uint64_t next = 0;              ///< First firing not yet replayed.
+  };
+
+  [[nodiscard]] bool next_candidate(const scene::Scene& scene, Vec2& position, double& heading) noexcept;
+  void enter_room(const scene::Scene& scene) noexcept;
+  [[nodiscard]] std::size_t try_candidate(const Tools& tools, Vec2 position, double heading) noexcept;
+  void keep(const Survivor& survivor) noexcept;
+  bool catch_up(const Tools& tools, std::size_t budget) noexcept;
+  void finish() noexcept;
+
+  Parameters parameters_;
+  double spacing_ = 0.0;
+  Phase phase_ = Phase::idle;
+  SearchDomain domain_;
+  std::uint64_t begin_ = 0;
+  std::uint64_t end_ = 0;
+
+  RoomIndex room_ = 0;                   ///< Of the next candidate ...
+  int column_ = 0, row_ = 0, turn_ = 0;
+  int columns_ = 0, rows_ = 0, turns_ = 0;
+  bool floor_checked_ = false;
+  Vec2 origin_{};
+
+  static constexpr std::size_t kCheckpoints = 24;
+  std::array<double, kCheckpoints> best_{};
+  std::size_t tried_ = 0;
+  std::vector<Survivor> survivors_;      ///< A heap, the least likely on top, while sweeping.
+  std::size_t count_ = 0;
+  std::size_t cursor_ = 0;
+  double log_evidence_ = 0.0;
+};
+
+}  // namespace echoway::tracker

@@ -1,0 +1,163 @@
+#include "tracker/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracker/elementary.hpp"
+
+namespace echoway::tracker {
+namespace {
+
+// A particle in its level's frame.
+struct Placed {
+  int level;
+  Vec2 position;
+  double heading;
+};
+
+Placed place(const Particle& p, const Building& building) noexcept {
+  const Room& room = building.room(p.room);
+  return {room.level, room.frame.transform(p.position), p.heading + room.frame.heading};
+}
+
+struct Cluster {
+  Placed anchor{};
+  double weight = 0.0;
+  Vec2 offset{};                 // Weighted sums, about the anchor.
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+  double heading = 0.0, heading2 = 0.0;
+  double speed = 0.0, scale = 0.0, scale2 = 0.0, bias = 0.0;
+  double walking = 0.0, pace = 0.0;
+  std::array<RoomIndex, 6> rooms{};
+  std::array<double, 6> room_weight{};
+  int room_count = 0;
+
+  void add_room(RoomIndex room, double w) noexcept {
+    for (int i = 0; i < room_count; ++i) {
+      if (rooms[static_cast<std::size_t>(i)] == room) {
+        room_weight[static_cast<std::size_t>(i)] += w;
+        return;
+      }
+    }
+    if (room_count == static_cast<int>(rooms.size())) return;
+    rooms[static_cast<std::size_t>(room_count)] = room;
+    room_weight[static_cast<std::size_t>(room_count++)] = w;
+  }
+};
+
+void add(Cluster& c, const Particle& p, const Placed& at, Vec2 frame) noexcept {
+  const double w = p.weight;
+  const Vec2 d = at.position - c.anchor.position;
+  const double turn = wrap_near(at.heading - c.anchor.heading);
+  // The particle's own covariance, turned into the level's frame.
+  const double xx = frame.x * frame.x * p.cov.xx - 2.0 * frame.x * frame.y * p.cov.xy + frame.y * frame.y * p.cov.yy;
+  const double yy = frame.y * frame.y * p.cov.xx + 2.0 * frame.x * frame.y * p.cov.xy + frame.x * frame.x * p.cov.yy;
+  const double xy = frame.x * frame.y * (p.cov.xx - p.cov.yy) + (frame.x * frame.x - frame.y * frame.y) * p.cov.xy;
+  c.weight += w;
+  c.offset = c.offset + w * d;
+  c.xx += w * (xx + d.x * d.x);
+  c.xy += w * (xy + d.x * d.y);
+  c.yy += w * (yy + d.y * d.y);
+  c.heading += w * turn;
+  c.heading2 += w * turn * turn;
+  c.speed += w * p.speed;
+  c.scale += w * p.log_scale;
+  c.scale2 += w * (p.cov.kk + p.log_scale * p.log_scale);
+  c.bias += w * p.gyro_bias;
+  if (p.gait == Gait::walking) {
+    c.walking += w;
+    c.pace += w * p.speed;
+  }
+  c.add_room(p.room, w);
+}
+
+double worst_sigma(double xx, double xy, double yy) noexcept {
+  const double half = 0.5 * (xx + yy);
+  const double spread = std::sqrt(0.25 * (xx - yy) * (xx - yy) + xy * xy);
+  return std::sqrt(std::max(0.0, half + spread));
+}
+
+Hypothesis to_hypothesis(const Cluster& c, const Building& building, const SummaryParameters& parameters, Estimate* full) noexcept {
+  const double scale = c.weight > 0.0 ? 1.0 / c.weight : 0.0;
+  const Vec2 mean = scale * c.offset;
+  const double factor2 = parameters.sigma_factor * parameters.sigma_factor;
+  const double floor2 = parameters.sigma_floor * parameters.sigma_floor;
+  const double xx = factor2 * std::max(0.0, scale * c.xx - mean.x * mean.x) + floor2;
+  const double yy = factor2 * std::max(0.0, scale * c.yy - mean.y * mean.y) + floor2;
+  const double xy = factor2 * (scale * c.xy - mean.x * mean.y);
+  int best = 0;
+  for (int i = 1; i < c.room_count; ++i) {
+    if (c.room_weight[static_cast<std::size_t>(i)] > c.room_weight[static_cast<std::size_t>(best)]) best = i;
+  }
+  Hypothesis h;
+  h.room = c.rooms[static_cast<std::size_t>(best)];
+  const Pose2 frame = building.room(h.room).frame;
+  const double turn = scale * c.heading;
+  h.pose.position = frame.inverse_transform(c.anchor.position + mean);
+  h.pose.heading = wrap_angle(c.anchor.heading + turn - frame.heading);
+  h.sigma_m = worst_sigma(xx, xy, yy);
+  h.probability = c.weight;
+  if (full != nullptr) {
+    const double co = std::cos(frame.heading), si = std::sin(frame.heading);
+    full->room = h.room;
+    full->pose = h.pose;
+    full->sigma_m = h.sigma_m;
+    full->sigma_heading_rad = std::sqrt(std::max(0.0, scale * c.heading2 - turn * turn));
+    full->room_probability = std::min(1.0, c.room_weight[static_cast<std::size_t>(best)]);
+    full->covariance_xx = co * co * xx + 2.0 * co * si * xy + si * si * yy;
+    full->covariance_yy = si * si * xx - 2.0 * co * si * xy + co * co * yy;
+    full->covariance_xy = co * si * (yy - xx) + (co * co - si * si) * xy;
+    full->speed_mps = scale * c.speed;
+    full->sound_speed_scale = fast_exp(-scale * c.scale);
+  }
+  return h;
+}
+
+}  // namespace
+
+Summary summarize(std::span<const Particle> particles, const Building& building, const SummaryParameters& parameters) noexcept {
+  Summary summary;
+  std::array<Cluster, Summary::kMaxClusters> clusters;
+  int count = 0;
+  RoomIndex cached = kNoRoom;
+  Vec2 frame{1.0, 0.0};
+  const double radius2 = parameters.cluster_radius * parameters.cluster_radius;
+  for (const Particle& p : particles) {
+    const Placed at = place(p, building);
+    if (p.room != cached) {
+      cached = p.room;
+      const double h = building.room(p.room).frame.heading;
+      frame = h == 0.0 ? Vec2{1.0, 0.0} : unit_from_angle(h);
+    }
+    int found = -1;
+    for (int i = 0; i < count && found < 0; ++i) {
+      const Placed& a = clusters[static_cast<std::size_t>(i)].anchor;
+      if (a.level == at.level && squared_norm(at.position - a.position) < radius2 &&
+          std::abs(wrap_near(at.heading - a.heading)) < parameters.cluster_angle) {
+        found = i;
+      }
+    }
+    if (found < 0 && count < Summary::kMaxClusters) {
+      found = count++;
+      clusters[static_cast<std::size_t>(found)].anchor = at;
+    }
+    if (found >= 0) add(clusters[static_cast<std::size_t>(found)], p, at, frame);
+  }
+  std::stable_sort(clusters.begin(), clusters.begin() + count, [](const Cluster& a, const Cluster& b) { return a.weight > b.weight; });
+  summary.count = count;
+  for (int i = 0; i < count; ++i) {
+    const Cluster& c = clusters[static_cast<std::size_t>(i)];
+    summary.hypotheses[static_cast<std::size_t>(i)] = to_hypothesis(c, building, parameters, i == 0 ? &summary.best : nullptr);
+  }
+  if (count > 0) {
+    const Cluster& c = clusters[0];
+    summary.log_scale = c.scale / c.weight;
+    summary.log_scale_sigma = std::sqrt(std::max(0.0, c.scale2 / c.weight - summary.log_scale * summary.log_scale));
+    summary.gyro_bias = c.bias / c.weight;
+    summary.walking = c.walking / c.weight;
+    summary.pace = c.walking > 0.0 ? c.pace / c.walking : 0.0;
+  }
+  return summary;
+}
+
+}  // namespace echoway::tracker

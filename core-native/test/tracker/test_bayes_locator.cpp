@@ -1,0 +1,96 @@
+#include "echoway/tracker/bayes_locator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "echoway/sim/random_walk.hpp"
+#include "echoway/sim/simulate.hpp"
+#include "tracker/plans.hpp"
+
+namespace echoway {
+namespace {
+
+sim::Simulation walk_through(const Building& building, std::uint64_t seed, double seconds) {
+  sim::RandomWalkOptions options;
+  options.duration_s = seconds;
+  auto simulation = sim::simulate(building, sim::random_walk(building, options, seed));
+  EXPECT_TRUE(simulation.ok());
+  return std::move(*simulation);
+}
+
+Start start_at(const Building& building, const TruthRow& row) {
+  return {building.find_room(row.room), row.pose.position, row.pose.heading};
+}
+
+struct Score {
+  double mean_m = 0.0;
+  double room_share = 0.0;
+  std::vector<Pose2> track;
+};
+
+Score follow(Locator& locator, const Building& building, const sim::Simulation& s, bool hints, std::size_t from = 0) {
+  Score score;
+  std::size_t hint = 0, counted = 0;
+  for (std::size_t i = 0; i < s.scans.firings.size(); ++i) {
+    while (hints && hint < s.motion.size() && s.motion[hint].time_s <= s.scans.firings[i].time_s) locator.on_motion(s.motion[hint++]);
+    locator.on_firing(s.scans.firings[i]);
+    const Estimate& e = locator.estimate();
+    EXPECT_TRUE(is_finite(e.pose) && std::isfinite(e.sigma_m));
+    score.track.push_back(e.pose);
+    if (i < from) continue;
+    const RoomIndex room = building.find_room(s.truth[i].room);
+    const Vec2 got = building.room(e.room).frame.transform(e.pose.position);
+    const Vec2 want = building.room(room).frame.transform(s.truth[i].pose.position);
+    score.mean_m += distance(got, want);
+    score.room_share += e.room == room;
+    ++counted;
+  }
+  score.mean_m /= static_cast<double>(counted);
+  score.room_share /= static_cast<double>(counted);
+  return score;
+}
+
+TEST(BayesLocator, KeepsHoldOfAWearerThroughRoomsAndDoors) {
+  const Building building = test::small_office();
+  const auto walk = walk_through(building, 3, 40.0);
+  BayesLocator locator(building, {}, start_at(building, walk.truth.front()));
+  const Score score = follow(locator, building, walk, true);
+  EXPECT_LT(score.mean_m, 0.25);
+  EXPECT_GT(score.room_share, 0.95);
+}
+
+TEST(BayesLocator, FindsAWearerOfWhomNothingIsKnown) {
+  const Building building = test::small_office();
+  const auto walk = walk_through(building, 5, 40.0);
+  BayesLocator locator(building, {}, {});
+  const Score score = follow(locator, building, walk, true, walk.scans.firings.size() / 2);
+  EXPECT_LT(score.mean_m, 0.3);
+  EXPECT_GT(score.room_share, 0.95);
+}
+
+TEST(BayesLocator, GivesTheSameBitsOnEveryRun) {
+  const Building building = test::small_office();
+  const auto walk = walk_through(building, 7, 15.0);
+  BayesLocator first(building, {}, {});
+  BayesLocator second(building, {}, {});
+  const Score a = follow(first, building, walk, true);
+  const Score b = follow(second, building, walk, true);
+  EXPECT_EQ(a.track, b.track);
+}
+
+TEST(BayesLocator, IgnoresFiringsThatNoBeltMakes) {
+  const Building building = test::small_office();
+  BayesLocator locator(building, {}, {RoomIndex{1}, Vec2{1, 1}, 0.0});
+  EXPECT_TRUE(locator.on_firing({1.0, 0, 2.0}));
+  EXPECT_FALSE(locator.on_firing({2.0, 15, 2.0}));
+  EXPECT_FALSE(locator.on_firing({2.0, -1, 2.0}));
+  EXPECT_FALSE(locator.on_firing({std::numeric_limits<double>::quiet_NaN(), 0, 2.0}));
+  EXPECT_FALSE(locator.on_firing({2.0, 0, std::numeric_limits<double>::quiet_NaN()}));
+  EXPECT_FALSE(locator.on_firing({0.5, 0, 2.0})) << "time went back";
+  EXPECT_TRUE(locator.on_firing({2.0, 1, Firing::kNoEcho}));
+}
+
+}  // namespace
+}  // namespace echoway
