@@ -6,7 +6,7 @@ function(echoway_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-                                           -Wnon-virtual-dtor -Werror)
+                                           -Wnon-virtual-dtor -Wno-missing-field-initializers -Werror)
   # GCC 12 sees an overlap in `"literal" + std::string` where there is none (GCC bug 105329).
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
   target_compile_options(${target} PUBLIC -ffp-contract=off)

@@ -1,0 +1,106 @@
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <stdlib.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+
+#include "commands.hpp"
+#include "echoway/belt/sentence.hpp"
+#include "echoway/io/logs.hpp"
+#include "echoway/units.hpp"
+#include "session_options.hpp"
+
+namespace echoway::tools {
+namespace {
+
+constexpr std::chrono::milliseconds kLinger{500};
+
+struct PlayOptions {
+  std::string scans;
+  double speed = 1.0;
+};
+
+/// The belt's end of a pseudo-terminal; the listener opens name().
+class BeltTerminal {
+ public:
+  BeltTerminal() : descriptor_(posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)) {
+    if (descriptor_ < 0 || grantpt(descriptor_) != 0 || unlockpt(descriptor_) != 0) return;
+    const char* name = ptsname(descriptor_);
+    if (name != nullptr) name_ = name;
+    // Held open, so that sentences sent before a listener comes are kept rather than lost with a hang-up.
+    listener_side_ = ::open(name_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+    termios settings{};
+    if (tcgetattr(listener_side_, &settings) == 0) {
+      cfmakeraw(&settings);
+      tcsetattr(listener_side_, TCSANOW, &settings);
+    }
+  }
+  BeltTerminal(const BeltTerminal&) = delete;
+  BeltTerminal& operator=(const BeltTerminal&) = delete;
+  ~BeltTerminal() {
+    if (listener_side_ >= 0) ::close(listener_side_);
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  bool send(std::string_view sentence) const {
+    return ::write(descriptor_, sentence.data(), sentence.size()) == static_cast<ssize_t>(sentence.size());
+  }
+
+ private:
+  int descriptor_ = -1;
+  int listener_side_ = -1;
+  std::string name_;
+};
+
+/// The firing as the belt sends it: a time of flight in whole microseconds.
+EncodedSentence to_sentence(std::uint16_t seq, const Firing& firing, double sound_speed_mps) {
+  EchoSentence echo{seq, static_cast<std::uint8_t>(firing.sensor), std::nullopt};
+  if (firing.has_echo()) echo.tof_us = static_cast<std::uint32_t>(std::lround(2e6 * firing.range_m / sound_speed_mps));
+  return encode(echo);
+}
+
+int play(const PlayOptions& options) {
+  const Result<ScanLog> log = read_scan_log(options.scans);
+  if (!log) return bad_input(log.error());
+  const BeltTerminal terminal;
+  if (terminal.name().empty()) return bad_input({"no pseudo-terminal can be had here"});
+  fmt::print("{}\n", terminal.name());
+  std::fflush(stdout);
+
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  const double first = log->firings.empty() ? 0.0 : log->firings.front().time_s;
+  const double sound_speed = speed_of_sound(log->belt.temperature_c.value_or(kReferenceCelsius));
+  std::uint16_t seq = 0;
+  for (const Firing& firing : log->firings) {
+    const std::chrono::duration<double> due{(firing.time_s - first) / options.speed};
+    std::this_thread::sleep_until(begin + std::chrono::duration_cast<Clock::duration>(due));
+    if (!terminal.send(to_sentence(seq++, firing, sound_speed).text())) return bad_input({"nobody reads the terminal", terminal.name()});
+  }
+  // A listener that is still reading must not lose the end to the hang-up.
+  std::this_thread::sleep_for(kLinger);
+  return 0;
+}
+
+}  // namespace
+
+void add_play(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand("play", "Play a scan log as a belt on a new pseudo-terminal, whose name it prints");
+  auto options = std::make_shared<PlayOptions>();
+  command->add_option("--scans", options->scans, "Scan log (*.scans.csv)")->required();
+  command->add_option("--speed", options->speed, "Times real time")->check(CLI::Range(0.01, 1000.0))->capture_default_str();
+  command->callback([options, &status] { status = play(*options); });
+}
+
+}  // namespace echoway::tools

@@ -1,0 +1,93 @@
+#include "session_options.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
+namespace echoway::tools {
+namespace {
+
+std::vector<std::string> split_at_commas(const std::string& text) {
+  std::vector<std::string> fields(1);
+  for (const char c : text) {
+    if (c == ',') {
+      fields.emplace_back();
+    } else {
+      fields.back() += c;
+    }
+  }
+  return fields;
+}
+
+Error bad_start(const std::string& text, const std::string& why) {
+  return {fmt::format("--start {}: {}; give R,x_m,y_m,heading_deg, blank where unknown", text, why)};
+}
+
+}  // namespace
+
+void SessionOptions::add_to(CLI::App& command) {
+  command.add_option("--building", building, "Building folder")->required();
+  command.add_option("--start", start, "R,x_m,y_m,heading_deg in R's frame; blank fields are unknown; without it, search");
+  command.add_option("--method", method, "bayes: the tracker; thesis: the thesis's method")
+      ->check(CLI::IsMember({"bayes", "thesis"}))
+      ->capture_default_str();
+  command.add_option("--sensors", sensors, "Number of sensors on the belt")->check(CLI::Range(1, kMaxSensors));
+  command.add_option("--radius", radius_m, "From the wearer's axis to the transducers, metres")->check(CLI::Range(0.0, 2.0));
+  command.add_option("--beam", beam_deg, "Full angle within which a plane wall answers, degrees")
+      ->check(CLI::Range(0.1, 180.0));
+  command.add_option("--seed", seed, "Seed of the locator's random numbers")->capture_default_str();
+}
+
+BeltConfig SessionOptions::belt(const BeltHeader& header) const {
+  BeltConfig belt = header.apply_to({});
+  if (sensors) belt.sensors = *sensors;
+  if (radius_m) belt.radius_m = *radius_m;
+  if (beam_deg) belt.beam_rad = degrees(*beam_deg);
+  return belt;
+}
+
+Result<SessionConfig> SessionOptions::config(const Building& building_model, const BeltHeader& header) const {
+  SessionConfig config;
+  config.belt = belt(header);
+  config.method = method == "thesis" ? Method::thesis : Method::bayes;
+  config.seed = seed;
+  if (!start.empty()) {
+    Result<Start> parsed = parse_start(start, building_model);
+    if (!parsed) return parsed.error();
+    config.start = *parsed;
+  }
+  return config;
+}
+
+Result<Start> parse_start(const std::string& text, const Building& building) {
+  const std::vector<std::string> fields = split_at_commas(text);
+  if (fields.size() > 4) return bad_start(text, "too many fields");
+  Start start;
+  const RoomIndex room = building.find_room(fields[0]);
+  if (room == kNoRoom) return bad_start(text, fmt::format("the building has no room '{}'", fields[0]));
+  start.room = room;
+
+  std::array<std::optional<double>, 3> numbers;
+  for (std::size_t i = 1; i < fields.size(); ++i) {
+    if (fields[i].empty()) continue;
+    char* end = nullptr;
+    const double value = std::strtod(fields[i].c_str(), &end);
+    if (*end != '\0' || !std::isfinite(value)) return bad_start(text, fmt::format("'{}' is not a number", fields[i]));
+    numbers[i - 1] = value;
+  }
+  if (numbers[0].has_value() != numbers[1].has_value()) return bad_start(text, "x and y belong together");
+  if (numbers[0]) start.position = Vec2{*numbers[0], *numbers[1]};
+  if (numbers[2]) start.heading = degrees(*numbers[2]);
+  return start;
+}
+
+int bad_input(const Error& error) {
+  fmt::print(stderr, "{}\n", error.to_string());
+  return 2;
+}
+
+}  // namespace echoway::tools

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "echoway/building/building.hpp"
+#include "echoway/io/logs.hpp"
+#include "echoway/result.hpp"
+#include "echoway/session.hpp"
+
+namespace echoway::tools {
+
+/// The options that `locate` and `monitor` share.
+struct SessionOptions {
+  std::string building;
+  std::string start;
+  std::string method = "bayes";
+  std::optional<int> sensors;
+  std::optional<double> radius_m;
+  std::optional<double> beam_deg;
+  std::uint64_t seed = 1;
+
+  void add_to(CLI::App& command);
+
+  /// Belt: the defaults, then what the log's header says, then the command line.
+  [[nodiscard]] BeltConfig belt(const BeltHeader& header) const;
+  [[nodiscard]] Result<SessionConfig> config(const Building& building, const BeltHeader& header) const;
+};
+
+/// `R[,x_m,y_m[,heading_deg]]`; a field left blank is unknown (`R,,,90`: the room and the heading).
+Result<Start> parse_start(const std::string& text, const Building& building);
+
+/// Prints `error` on standard error and gives the exit status for bad input.
+int bad_input(const Error& error);
+
+}  // namespace echoway::tools
