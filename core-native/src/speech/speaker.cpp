@@ -1,0 +1,235 @@
+#include "echoway/speech/speaker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "echoway/geometry/pose2.hpp"
+#include "speech/language.hpp"
+
+namespace echoway {
+namespace {
+
+using speech::Counted;
+using speech::LanguageTable;
+
+const LanguageTable& table_of(Language language) {
+  switch (language) {
+    case Language::german:
+      return speech::german();
+    case Language::french:
+      return speech::french();
+    case Language::english:
+      break;
+  }
+  return speech::english();
+}
+
+std::string with(std::string_view line, std::string_view key, std::string_view value) {
+  std::string result(line);
+  const auto at = result.find(key);
+  if (at != std::string::npos) result.replace(at, key.size(), value);
+  return result;
+}
+
+std::string counted(const LanguageTable& t, const Counted& noun, int halves) {
+  const int whole = halves / 2;
+  if (halves % 2 == 0) return t.is_singular(halves) ? noun.one : with(noun.other, "{n}", t.number(whole));
+  if (whole == 0) return noun.half;
+  return whole == 1 ? noun.one_half : with(noun.n_half, "{n}", t.number(whole));
+}
+
+std::size_t side_of(double direction) { return direction >= 0.0 ? 0 : 1; }
+
+/// Degrees from the chest, rounded to the nearest ten, 0 ... 180.
+int tens(double direction) { return 10 * static_cast<int>(std::lround(std::abs(to_degrees(direction)) / 10.0)); }
+
+/// The nearest hour, 1 ... 12: hours go clockwise, directions counter-clockwise.
+int hour(double direction) {
+  const int h = static_cast<int>(std::lround(-to_degrees(direction) / 30.0));
+  const int wrapped = ((h % 12) + 12) % 12;
+  return wrapped == 0 ? 12 : wrapped;
+}
+
+/// Puts the parts of one cue into words.
+class Line {
+ public:
+  Line(const Building& building, const SpeechStyle& style, const LanguageTable& table, const Cue& cue)
+      : building_(building), style_(style), t_(table), cue_(cue) {}
+
+  [[nodiscard]] std::string say(CueKind kind, double direction, double distance_m) const {
+    return expand(t_.lines[static_cast<std::size_t>(kind)], direction, distance_m);
+  }
+
+ private:
+  /// Fills a template in; parts in brackets vanish with an empty placeholder in them.
+  [[nodiscard]] std::string expand(std::string_view line, double direction, double distance_m) const {
+    std::string result;
+    std::string part;
+    bool in_part = false;
+    bool empty = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      std::string& out = in_part ? part : result;
+      if (line[i] == '[') {
+        in_part = true;
+        empty = false;
+        part.clear();
+      } else if (line[i] == ']') {
+        in_part = false;
+        if (!empty) result += part;
+      } else if (line[i] == '{') {
+        const auto close = line.find('}', i);
+        const std::string value = value_of(line.substr(i + 1, close - i - 1), direction, distance_m);
+        empty = empty || value.empty();
+        out += value;
+        i = close;
+      } else {
+        out += line[i];
+      }
+    }
+    return result;
+  }
+
+  [[nodiscard]] std::string value_of(std::string_view key, double direction, double distance_m) const {
+    if (key == "dir") return where(direction);
+    if (key == "turn") return turn(direction);
+    if (key == "side") return t_.sides[side_of(direction)];
+    if (key == "on") return cue_.has_direction ? on_side(direction) : "";
+    if (key == "dist") return distance_m < 0.0 ? "" : length(distance_m);
+    if (key == "what") return landmark();
+    if (key == "room") return room(cue_.room);
+    if (key == "sensor") return t_.sensors[eighth(direction)];
+    if (key == "up") return cue_.up ? t_.up : t_.down;
+    if (key == "level") return level();
+    if (key == "stairs") return cue_.count > 0 ? counted(t_, t_.stair, 2 * cue_.count) : "";
+    return {};
+  }
+
+  [[nodiscard]] std::string where(double direction) const {
+    if (style_.direction == DirectionStyle::clock) {
+      const int h = hour(direction);
+      if (h == 1) return t_.clock_one;
+      return h == 12 ? t_.clock_twelve : with(t_.clock, "{n}", t_.number(h));
+    }
+    const Sector sector = sector_of(direction);
+    const int ten = tens(direction);
+    if (style_.direction == DirectionStyle::degrees && ten != 0 && ten != 180) return in_degrees(t_.degrees, direction);
+    return t_.directions[static_cast<std::size_t>(sector)];
+  }
+
+  [[nodiscard]] std::string turn(double direction) const {
+    const Sector sector = sector_of(direction);
+    const bool plain = sector == Sector::ahead || sector == Sector::behind;
+    if (plain || style_.direction == DirectionStyle::sides) return t_.turns[static_cast<std::size_t>(sector)];
+    if (style_.direction == DirectionStyle::degrees) return in_degrees(t_.turn_degrees, direction);
+    return with(with(t_.turn_clock, "{dir}", where(direction)), "{n}", t_.number(hour(direction)));
+  }
+
+  [[nodiscard]] std::string in_degrees(const char* line, double direction) const {
+    return with(with(line, "{side}", t_.sides[side_of(direction)]), "{n}", t_.number(tens(direction)));
+  }
+
+  [[nodiscard]] std::string on_side(double direction) const {
+    return t_.on_side[static_cast<std::size_t>(sector_of(direction))];
+  }
+
+  [[nodiscard]] static std::size_t eighth(double direction) {
+    return static_cast<std::size_t>((std::lround(to_degrees(direction) / 45.0) % 8 + 8) % 8);
+  }
+
+  [[nodiscard]] std::string length(double metres) const {
+    const SpokenLength spoken = spoken_length(metres, cue_.sigma_m, style_);
+    if (spoken.vague) return t_.vague[static_cast<std::size_t>(spoken.vague_step)];
+    const Counted& unit = style_.length == LengthStyle::feet     ? t_.foot
+                          : style_.length == LengthStyle::metres ? t_.metre
+                                                                 : t_.step;
+    return counted(t_, unit, spoken.halves);
+  }
+
+  [[nodiscard]] std::string room(RoomIndex index) const {
+    if (index < 0 || static_cast<std::size_t>(index) >= building_.rooms.size()) return t_.nowhere;
+    const Room& r = building_.room(index);
+    std::string words = with(t_.room, "{id}", r.id);
+    if (!r.name.empty() && r.name != r.id && r.name != words) words.append(", ").append(r.name);
+    return words;
+  }
+
+  [[nodiscard]] std::string named(const std::vector<Landmark>& all, const char* fallback) const {
+    const auto i = static_cast<std::size_t>(cue_.landmark.index);
+    return i < all.size() && !all[i].name.empty() ? all[i].name : fallback;
+  }
+
+  [[nodiscard]] const LevelLink* link() const {
+    const auto i = static_cast<std::size_t>(cue_.landmark.index);
+    return cue_.landmark.kind == CueLandmark::Kind::link && i < building_.links.size() ? &building_.links[i] : nullptr;
+  }
+
+  [[nodiscard]] std::string landmark() const {
+    switch (cue_.landmark.kind) {
+      case CueLandmark::Kind::door:
+        return t_.door;
+      case CueLandmark::Kind::link:
+        return link() != nullptr && link()->kind == LevelLinkKind::elevator ? t_.elevator : t_.stairs;
+      case CueLandmark::Kind::place:
+        return named(building_.places, t_.nowhere);
+      case CueLandmark::Kind::exit:
+        return named(building_.exits, t_.exit);
+      case CueLandmark::Kind::room:
+        return room(cue_.landmark.index);
+      case CueLandmark::Kind::none:
+        break;
+    }
+    return cue_.kind == CueKind::facing ? t_.wall : "";
+  }
+
+  [[nodiscard]] std::string level() const {
+    const LevelLink* l = link();
+    const auto rooms = building_.rooms.size();
+    if (l == nullptr || static_cast<std::size_t>(l->room_a) >= rooms || static_cast<std::size_t>(l->room_b) >= rooms) {
+      return {};
+    }
+    const int a = building_.room(l->room_a).level;
+    const int b = building_.room(l->room_b).level;
+    if (a == b) return {};
+    const int to = cue_.up ? std::max(a, b) : std::min(a, b);
+    return to < 0 ? std::to_string(to) : t_.number(to);
+  }
+
+  const Building& building_;
+  const SpeechStyle& style_;
+  const LanguageTable& t_;
+  const Cue& cue_;
+};
+
+/// Every sentence begins with a capital; names that begin beyond ASCII are left as they are.
+void capitalise(std::string& line) {
+  bool start = true;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (start && line[i] >= 'a' && line[i] <= 'z') line[i] = static_cast<char>(line[i] - 'a' + 'A');
+    if (line[i] == ' ') continue;
+    start = line[i] == '.' && i + 1 < line.size() && line[i + 1] == ' ';
+  }
+}
+
+}  // namespace
+
+Result<Language> language_of(std::string_view tag) {
+  for (const Language language : {Language::english, Language::german, Language::french}) {
+    const std::string_view known = tag_of(language);
+    if (tag.size() < known.size()) continue;
+    const bool same = (tag[0] | 0x20) == known[0] && (tag[1] | 0x20) == known[1];
+    if (same && (tag.size() == 2 || tag[2] == '-' || tag[2] == '_')) return language;
+  }
+  return Error{std::string("no words for the language \"").append(tag).append("\"; there are en, de and fr")};
+}
+
+const char* tag_of(Language language) noexcept { return table_of(language).tag; }
+
+std::string Speaker::say(const Cue& cue) const {
+  const Line line(*building_, style_, table_of(style_.language), cue);
+  std::string words = line.say(cue.kind, cue.direction, cue.distance_m);
+  if (cue.tail.present) words.append(" ").append(line.say(cue.tail.kind, cue.tail.direction, cue.tail.distance_m));
+  capitalise(words);
+  return words;
+}
+
+}  // namespace echoway
