@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "routing/doorways.hpp"
+#include "echoway/geometry/inclusion.hpp"
 
 namespace echoway {
 namespace {
@@ -13,16 +13,6 @@ namespace {
 constexpr double kSlack = 1e-6;
 /// A walker whose centre is taken to be inside a wall is put back this far into the room, metres.
 constexpr double kNudge = 0.05;
-
-bool inside_loop(const std::vector<Vec2>& loop, Vec2 p) {
-  bool inside = false;
-  for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
-    const Vec2 a = loop[i];
-    const Vec2 b = loop[j];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
-  }
-  return inside;
-}
 
 bool odd_crossings(const std::vector<Segment>& walls, Vec2 p, Vec2 unit) {
   bool odd = false;
@@ -39,31 +29,42 @@ bool odd_crossings(const std::vector<Segment>& walls, Vec2 p, Vec2 unit) {
 
 }  // namespace
 
-FreeSpace::FreeSpace(const Building& building, RoomIndex room)
-    : room_(&building.room(room)), openings_(routing::find_openings(building, room)) {
-  routing::CutWalls cut = routing::cut_openings(room_->walls, openings_);
-  cut.walls.insert(cut.walls.end(), room_->reflectors.begin(), room_->reflectors.end());
-  solids_ = SegmentTree(std::move(cut.walls));
-  doorways_ = std::move(cut.doorways);
-  for (Opening& opening : openings_) {
+FreeSpace::FreeSpace(const Building& building, RoomIndex room) : room_(&building.room(room)) {
+  std::vector<Opening> openings;
+  for (std::size_t i = 0; i < building.doors.size(); ++i) {
+    const Door& door = building.doors[i];
+    const auto index = static_cast<std::int32_t>(i);
+    if (door.room_a == room) add_passage(door, index, door.at_a, openings);
+    if (door.room_b == room) add_passage(door, index, door.at_b, openings);
+  }
+  std::vector<Segment> solids = walls_with_doors_open(*room_, openings);
+  solids.insert(solids.end(), room_->reflectors.begin(), room_->reflectors.end());
+  solids_ = SegmentTree(std::move(solids));
+}
+
+void FreeSpace::add_passage(const Door& door, std::int32_t index, Vec2 at, std::vector<Opening>& openings) {
+  Passage passage{index, at, {}};
+  const std::optional<Opening> opening = find_opening(*room_, at, door.width);
+  if (opening && opening->span.length() > 0.0) {
+    openings.push_back(*opening);
+    openings.back().door = static_cast<std::size_t>(index);
+    doorways_.push_back(opening->span);
+    passage.centre = 0.5 * (opening->span.a + opening->span.b);
+    const Vec2 normal = (1.0 / opening->span.length()) * perpendicular(opening->span.direction());
+    passage.inward = normal;
     for (const double step : {0.1, 0.25, 0.5}) {
-      const bool front = contains(opening.centre + step * opening.inward);
-      const bool back = contains(opening.centre - step * opening.inward);
+      const bool front = contains(passage.centre + step * normal);
+      const bool back = contains(passage.centre - step * normal);
       if (front == back) continue;
-      if (back) opening.inward = -opening.inward;
+      passage.inward = front ? normal : -normal;
       break;
     }
   }
+  passages_.push_back(passage);
 }
 
 bool FreeSpace::contains(Vec2 p) const noexcept {
-  if (!room_->boundary.empty()) {
-    bool inside = false;
-    for (const auto& loop : room_->boundary) {
-      if (!loop.empty() && inside_loop(loop, p)) inside = !inside;
-    }
-    return inside;
-  }
+  if (!room_->boundary.empty()) return classify(room_->boundary, p) == Inclusion::inside;
   // Directions off the axes and off each other's multiples: plans are mostly axis-parallel.
   static const std::array<Vec2, 3> kRays = {unit_from_angle(0.317), unit_from_angle(2.411), unit_from_angle(-1.753)};
   int votes = 0;
@@ -94,8 +95,8 @@ bool FreeSpace::clear_between(Vec2 a, Vec2 b, double radius) const noexcept {
   return keeps_away({a, b}, radius) && !crosses_doorway({a, b});
 }
 
-bool FreeSpace::clear_to_door(Vec2 a, const Opening& opening, double radius) const noexcept {
-  return keeps_away({a, opening.centre}, radius);
+bool FreeSpace::clear_to_door(Vec2 a, const Passage& passage, double radius) const noexcept {
+  return keeps_away({a, passage.centre}, radius);
 }
 
 Vec2 FreeSpace::settle(Vec2 p, double radius) const noexcept {
@@ -127,7 +128,10 @@ Vec2 FreeSpace::settle(Vec2 p, double radius) const noexcept {
       away = perpendicular(solids()[static_cast<std::size_t>(wall.segment)].direction());
       apart = norm(away);
       if (!(apart > 0.0)) break;
-      if (!contains(p + (kNudge / apart) * away)) away = -away;
+      // From a corner the first nudge runs along the other wall, which is not outside.
+      const Vec2 nudged = p + (kNudge / apart) * away;
+      const bool outside = room_->boundary.empty() ? !contains(nudged) : !echoway::contains(room_->boundary, nudged);
+      if (outside) away = -away;
       p = p + (kNudge / apart) * away;
       apart = kNudge;
     } else {

@@ -40,7 +40,7 @@ struct Portal {
 
 std::vector<Portal> portals_of(const Building& building, RoomIndex room, const FreeSpace& space) {
   std::vector<Portal> portals;
-  for (const Opening& o : space.openings()) portals.push_back({PortalKind::door, o.door, o.centre, o.inward});
+  for (const Passage& p : space.passages()) portals.push_back({PortalKind::door, p.door, p.centre, p.inward});
   for (std::size_t i = 0; i < building.links.size(); ++i) {
     const LevelLink& link = building.links[i];
     const auto index = static_cast<std::int32_t>(i);

@@ -17,8 +17,8 @@ bool Router::reaches(const Spot& start, std::int32_t index, double radius) const
   const Node& node = nodes_[static_cast<std::size_t>(index)];
   const FreeSpace& free = space(start.room);
   if (node.kind != WaypointKind::door) return free.clear_between(start.at, node.at, radius);
-  for (const Opening& opening : free.openings()) {
-    if (opening.door == node.index) return free.clear_to_door(start.at, opening, radius);
+  for (const Passage& passage : free.passages()) {
+    if (passage.door == node.index) return free.clear_to_door(start.at, passage, radius);
   }
   return false;
 }
@@ -47,15 +47,15 @@ Router::Connection Router::connect(const Spot& start, const RouteTree& tree) con
   const Connection direct = connect_directly(start, tree);
   const std::int32_t begin = room_begin_[static_cast<std::size_t>(start.room)];
   const std::int32_t end = room_begin_[static_cast<std::size_t>(start.room) + 1];
-  const auto& openings = space(start.room).openings();
-  const auto count = (end - begin) + static_cast<std::int32_t>(openings.size());
+  const auto& passages = space(start.room).passages();
+  const auto count = (end - begin) + static_cast<std::int32_t>(passages.size());
   const auto candidate = [&](std::int32_t i) {
-    return i < end - begin ? begin + i : door_node_[static_cast<std::size_t>(openings[static_cast<std::size_t>(i - (end - begin))].door)];
+    return i < end - begin ? begin + i : door_node_[static_cast<std::size_t>(passages[static_cast<std::size_t>(i - (end - begin))].door)];
   };
   const auto cost_over = [&](std::int32_t i) {
     const std::int32_t n = candidate(i);
     const Vec2 at = i < end - begin ? nodes_[static_cast<std::size_t>(n)].at
-                                    : openings[static_cast<std::size_t>(i - (end - begin))].centre;
+                                    : passages[static_cast<std::size_t>(i - (end - begin))].centre;
     return distance(start.at, at) + tree.cost[static_cast<std::size_t>(n)];
   };
   for (const bool squeeze : {false, true}) {

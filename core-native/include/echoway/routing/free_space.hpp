@@ -4,16 +4,16 @@
 #include <vector>
 
 #include "echoway/building/building.hpp"
+#include "echoway/building/opening.hpp"
 #include "echoway/routing/segment_tree.hpp"
 
 namespace echoway {
 
-/// A door as one of its rooms sees it: where to pass, and which way is into the room.
-struct Opening {
-  std::int32_t door = -1;    ///< Index into Building::doors.
-  Vec2 centre{};             ///< On the wall line, in the room's frame.
-  Vec2 inward{};             ///< Unit normal into the room; zero when no wall is near enough to tell.
-  double half_width = 0.0;   ///< Metres.
+/// A door as a walker in one of its rooms sees it: where to pass, and which way is into the room.
+struct Passage {
+  std::int32_t door = -1;  ///< Index into Building::doors.
+  Vec2 centre{};           ///< On the wall, in the room's frame; the door's own point when no wall is near it.
+  Vec2 inward{};           ///< Unit normal into the room; zero when no wall is near.
 };
 
 /// Where a walker's centre may be in one room: its walls with the doors cut out and its all-reflective elements are
@@ -22,15 +22,12 @@ struct Opening {
 /// A "clearance" is the distance to the nearest solid thing; a walker of half-width r fits where clearance >= r.
 class FreeSpace {
  public:
-  /// Doors further than this from every wall of their room are taken to stand free.
-  static constexpr double kDoorSnap = 1.0;
-
   FreeSpace(const Building& building, RoomIndex room);
 
   [[nodiscard]] std::span<const Segment> solids() const noexcept { return solids_.segments(); }
   /// The pieces that doors cut out of the walls.
   [[nodiscard]] std::span<const Segment> doorways() const noexcept { return doorways_; }
-  [[nodiscard]] std::span<const Opening> openings() const noexcept { return openings_; }
+  [[nodiscard]] std::span<const Passage> passages() const noexcept { return passages_; }
 
   /// True inside the room's outline and outside its holes: even-odd over the boundary, or over the walls when the room
   /// has no boundary (then three rays vote, since screens disturb a count).
@@ -49,8 +46,8 @@ class FreeSpace {
   /// the way comes no closer to it than its own ends do.
   [[nodiscard]] bool clear_between(Vec2 a, Vec2 b, double radius) const noexcept;
 
-  /// As clear_between(), straight from `a` to the centre of one of this room's openings.
-  [[nodiscard]] bool clear_to_door(Vec2 a, const Opening& opening, double radius) const noexcept;
+  /// As clear_between(), straight from `a` to the centre of one of this room's passages.
+  [[nodiscard]] bool clear_to_door(Vec2 a, const Passage& passage, double radius) const noexcept;
 
   /// How far a point can go from `p` along `unit` before it meets something solid, at most `limit`. Open doors let it
   /// through.
@@ -61,12 +58,13 @@ class FreeSpace {
   [[nodiscard]] Vec2 settle(Vec2 p, double radius) const noexcept;
 
  private:
+  void add_passage(const Door& door, std::int32_t index, Vec2 at, std::vector<Opening>& openings);
   [[nodiscard]] bool keeps_away(const Segment& way, double radius) const noexcept;
   [[nodiscard]] bool crosses_doorway(const Segment& s) const noexcept;
 
   const Room* room_;
   SegmentTree solids_;
-  std::vector<Opening> openings_;
+  std::vector<Passage> passages_;
   std::vector<Segment> doorways_;
 };
 

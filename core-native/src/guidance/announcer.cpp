@@ -1,0 +1,135 @@
+#include "guidance/announcer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "echoway/units.hpp"
+
+namespace echoway::guidance {
+namespace {
+
+int words_of(CueKind kind) noexcept {
+  switch (kind) {
+    case CueKind::stop:
+      return 1;
+    case CueKind::uncertain:
+      return 9;
+    case CueKind::arrived:
+    case CueKind::take_link:
+      return 5;
+    case CueKind::no_way:
+    case CueKind::probe_step:
+    case CueKind::entering:
+    case CueKind::room_here:
+      return 4;
+    case CueKind::facing:
+    case CueKind::found:
+    case CueKind::probe_turn:
+    case CueKind::battery_low:
+    case CueKind::sensor_blocked:
+    case CueKind::stairs:
+      return 3;
+    default:
+      return 2;
+  }
+}
+
+/// Lines that tell the wearer which way to move.
+bool steers(CueKind kind) noexcept {
+  return kind == CueKind::turn || kind == CueKind::bear || kind == CueKind::go_straight;
+}
+
+/// What a cue asks the wearer to do, its own or its tail's.
+struct Steering {
+  bool present = false;
+  CueKind kind = CueKind::stop;
+  double direction = 0.0;
+};
+Steering steering_of(const Cue& cue) noexcept {
+  if (steers(cue.kind)) return {true, cue.kind, cue.direction};
+  if (cue.tail.present && steers(cue.tail.kind)) return {true, cue.tail.kind, cue.tail.direction};
+  return {};
+}
+
+int side_of(const Steering& s) noexcept {
+  const bool sideways = s.kind != CueKind::go_straight && sector_of(s.direction) != Sector::ahead &&
+                        sector_of(s.direction) != Sector::behind;
+  if (s.kind == CueKind::bear) return s.direction > 0.0 ? 1 : -1;
+  if (!sideways) return 0;
+  return s.direction > 0.0 ? 1 : -1;
+}
+
+bool same_words(const Cue& a, const Cue& b) noexcept {
+  const auto foot = [](double m) { return m < 0.0 ? -1L : std::lround(m / kMetresPerFoot); };
+  const auto dir = [](const Cue& c) { return c.kind == CueKind::bear ? (c.direction > 0 ? Sector::left : Sector::right)
+                                                                     : sector_of(c.direction); };
+  return a.kind == b.kind && dir(a) == dir(b) && foot(a.distance_m) == foot(b.distance_m) && a.room == b.room &&
+         a.landmark == b.landmark && a.tail.present == b.tail.present &&
+         (!a.tail.present || (a.tail.kind == b.tail.kind && sector_of(a.tail.direction) == sector_of(b.tail.direction) &&
+                              foot(a.tail.distance_m) == foot(b.tail.distance_m)));
+}
+
+}  // namespace
+
+double spoken_seconds(const Cue& cue, const GuideConfig& config) noexcept {
+  int words = words_of(cue.kind) + (cue.distance_m >= 0.0 ? 2 : 0) + (cue.count > 0 ? 2 : 0);
+  if (cue.tail.present) words += words_of(cue.tail.kind) + (cue.tail.distance_m >= 0.0 ? 2 : 0);
+  return config.line_overhead_s + words * config.seconds_per_word;
+}
+
+bool Announcer::repeats(const Cue& cue, double now) const noexcept {
+  const std::size_t kept = std::min(said_count_, kMemory);
+  for (std::size_t i = 0; i < kept; ++i) {
+    if (now - said_[i].time_s < config_->repeat_gap_s && same_words(said_[i], cue)) return true;
+  }
+  return false;
+}
+
+bool Announcer::contradicts(const Cue& cue, double now) const noexcept {
+  const Steering here = steering_of(cue);
+  if (!here.present) return false;
+  const std::size_t kept = std::min(said_count_, kMemory);
+  for (std::size_t i = 0; i < kept; ++i) {
+    if (now - said_[i].time_s >= config_->contradiction_gap_s) continue;
+    const Steering before = steering_of(said_[i]);
+    if (!before.present) continue;
+    if (side_of(here) * side_of(before) < 0) return true;
+    const bool around = here.kind == CueKind::turn && sector_of(here.direction) == Sector::behind;
+    const bool was_around = before.kind == CueKind::turn && sector_of(before.direction) == Sector::behind;
+    if (around && before.kind == CueKind::go_straight) return true;
+    if (around && was_around) return true;
+  }
+  return false;
+}
+
+bool Announcer::would_speak(const Cue& cue, double now, bool asked) const noexcept {
+  if (now < free_at_ && cue.urgency >= speaking_) return false;
+  if (asked) return true;
+  return !repeats(cue, now) && !contradicts(cue, now);
+}
+
+bool Announcer::offer(Cue cue, double now, bool asked) {
+  if (!would_speak(cue, now, asked)) return false;
+  cue.time_s = now;
+  free_at_ = now + spoken_seconds(cue, *config_);
+  speaking_ = cue.urgency;
+  said_[said_count_ % kMemory] = cue;
+  ++said_count_;
+  if (size_ == kQueue) {  // Nobody fetches: the oldest line has long gone stale.
+    head_ = (head_ + 1) % kQueue;
+    --size_;
+  }
+  queue_[(head_ + size_) % kQueue] = cue;
+  ++size_;
+  return true;
+}
+
+bool Announcer::pop(Cue& cue) noexcept {
+  if (size_ == 0) return false;
+  cue = queue_[head_];
+  head_ = (head_ + 1) % kQueue;
+  --size_;
+  return true;
+}
+
+}  // namespace echoway::guidance

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "echoway/guidance/cue.hpp"
+#include "echoway/guidance/guide_config.hpp"
+
+namespace echoway::guidance {
+
+/// How long a line takes to be spoken, from the number of words that its kind has in English.
+[[nodiscard]] double spoken_seconds(const Cue& cue, const GuideConfig& config) noexcept;
+
+/// The one voice. A cue that is offered is spoken now or not at all: whoever still means it offers it again. Keeps these
+/// promises:
+///  1. a line is cut off only by a more urgent one;
+///  2. nothing is said twice in GuideConfig::repeat_gap_s, unless asked;
+///  3. no line takes another back within GuideConfig::contradiction_gap_s.
+class Announcer {
+ public:
+  explicit Announcer(const GuideConfig& config) : config_(&config) {}
+
+  /// True when `cue` goes out at `now`. `asked`: the wearer wants to hear it (again).
+  bool offer(Cue cue, double now, bool asked = false);
+
+  /// Whether offer() would let it out.
+  [[nodiscard]] bool would_speak(const Cue& cue, double now, bool asked = false) const noexcept;
+
+  /// When the line that is being spoken ends.
+  [[nodiscard]] double free_at() const noexcept { return free_at_; }
+  [[nodiscard]] bool is_free(double now) const noexcept { return now >= free_at_; }
+
+  /// Takes the oldest cue that has not been fetched.
+  bool pop(Cue& cue) noexcept;
+
+ private:
+  static constexpr std::size_t kQueue = 32;
+  static constexpr std::size_t kMemory = 32;
+
+  [[nodiscard]] bool repeats(const Cue& cue, double now) const noexcept;
+  [[nodiscard]] bool contradicts(const Cue& cue, double now) const noexcept;
+
+  const GuideConfig* config_;
+  double free_at_ = -1e300;
+  Urgency speaking_ = Urgency::colour;
+  std::array<Cue, kMemory> said_{};
+  std::size_t said_count_ = 0;
+  std::array<Cue, kQueue> queue_{};
+  std::size_t head_ = 0;
+  std::size_t size_ = 0;
+};
+
+}  // namespace echoway::guidance
