@@ -4,6 +4,7 @@
 
 #include "building/assembly.hpp"
 #include "building/findings.hpp"
+#include "building/lint.hpp"
 
 namespace echoway {
 
@@ -17,7 +18,14 @@ Result<Building> load_building(const std::filesystem::path& dir) {
 
 std::vector<Finding> check_building(const std::filesystem::path& dir) {
   Findings findings;
-  (void)assemble_building(dir, findings);
+  const Assembly assembly = assemble_building(dir, findings);
+  lint_rooms(assembly, findings);
+  lint_sizes(assembly, findings);
+  if (!findings.any_unusable()) {
+    lint_doors(assembly, findings);
+    lint_levels(assembly, findings);
+    lint_landmarks(assembly, findings);
+  }
   return std::move(findings).sorted();
 }
 

@@ -8,6 +8,11 @@ std::string Phrases::length(double metres) const {
   return text::brief(metres / metres_per(unit_)) + (unit_ == LengthUnit::feet ? " ft" : " m");
 }
 
+std::string Phrases::area(double square_metres) const {
+  const double unit = metres_per(unit_);
+  return text::brief(square_metres / (unit * unit)) + (unit_ == LengthUnit::feet ? " square ft" : " square m");
+}
+
 std::string Phrases::point(Vec2 metres) const {
   return "(" + text::brief(metres.x / metres_per(unit_)) + ", " + text::brief(metres.y / metres_per(unit_)) + ")";
 }

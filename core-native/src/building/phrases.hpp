@@ -12,6 +12,7 @@ class Phrases {
   explicit Phrases(LengthUnit unit) : unit_(unit) {}
 
   [[nodiscard]] std::string length(double metres) const;  ///< `0.7 ft`
+  [[nodiscard]] std::string area(double square_metres) const;  ///< `12.5 square ft`
   [[nodiscard]] std::string point(Vec2 metres) const;     ///< `(4, 6.45)`, as the file has it.
 
  private:

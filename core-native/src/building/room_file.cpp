@@ -13,18 +13,14 @@ constexpr std::array<std::string_view, 4> kKinds{"walls", "corners", "edges", "r
 constexpr std::string_view kLineForms =
     "write '1 x1 y1 x2 y2' (wall), '2 x y' (corner), '3 x y' (edge) or '4 x1 y1 x2 y2' (reflector)";
 
-struct Counts {
-  std::array<long long, 4> of{};
-  int line = 0;
-};
+using Counts = std::array<long long, kKinds.size()>;
 
-Counts parse_counts(LineParser& parser, int line) {
-  Counts counts;
-  counts.line = line;
+Counts parse_counts(LineParser& parser) {
+  Counts counts{};
   for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
     if (kind == 3 && parser.at_end()) break;
-    counts.of[kind] = parser.integer("the number of " + std::string(kKinds[kind]));
-    if (counts.of[kind] < 0) parser.refuse("the number of " + std::string(kKinds[kind]) + " is negative");
+    counts[kind] = parser.integer("the number of " + std::string(kKinds[kind]));
+    if (counts[kind] < 0) parser.refuse("the number of " + std::string(kKinds[kind]) + " is negative");
   }
   parser.end();
   return counts;
@@ -50,9 +46,9 @@ void compare_counts(const Counts& counts, const RoomSource& room, Findings& find
   const std::array<std::size_t, 4> found{room.walls.size(), room.corners.size(), room.edges.size(),
                                          room.reflectors.size()};
   for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
-    const auto said = static_cast<unsigned long long>(counts.of[kind]);
+    const auto said = static_cast<unsigned long long>(counts[kind]);
     if (said == found[kind]) continue;
-    findings.unusable(room.file, counts.line,
+    findings.unusable(room.file, room.counts_line,
                       "says " + std::to_string(said) + " " + std::string(kKinds[kind]) + " but the file has " +
                           std::to_string(found[kind]) + "; correct the count or the lines");
   }
@@ -80,7 +76,8 @@ RoomSource read_room_file(const std::filesystem::path& file, std::string id, Len
     if (!tokens) parser.refuse("a quote is not closed");
     const bool is_counts = !counts;
     if (is_counts) {
-      counts = parse_counts(parser, reader.line());
+      counts = parse_counts(parser);
+      room.counts_line = reader.line();
     } else {
       parse_element(parser, reader.line(), metres_per(unit), room);
     }

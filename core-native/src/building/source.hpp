@@ -20,6 +20,7 @@ struct Located {
 struct RoomSource {
   std::string id;
   std::string file;
+  int counts_line = 0;  ///< Where findings about the whole room are put.
   std::vector<Located<Segment>> walls;
   std::vector<Located<Vec2>> corners;
   std::vector<Located<Vec2>> edges;

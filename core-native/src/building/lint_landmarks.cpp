@@ -1,0 +1,99 @@
+#include <array>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "building/lint.hpp"
+#include "building/phrases.hpp"
+#include "echoway/building/opening.hpp"
+#include "echoway/geometry/inclusion.hpp"
+
+namespace echoway {
+namespace {
+
+/// An exit or stairs may stand in their wall, or a little behind it.
+constexpr double kInDoorway = feet(1.0);
+
+constexpr std::array<std::string_view, 9> kKeywords{"units", "name",   "room",     "frame", "door",
+                                                    "exit",  "stairs", "elevator", "place"};
+
+class LandmarkLint {
+ public:
+  LandmarkLint(const Assembly& assembly, Findings& findings)
+      : assembly_(assembly),
+        config_(assembly.source.config),
+        building_(assembly.building),
+        phrases_(assembly.building.unit),
+        findings_(findings) {
+    for (std::size_t i = 0; i < building_.rooms.size(); ++i) rooms_.emplace(building_.rooms[i].id, i);
+  }
+
+  void run() {
+    lint_ids();
+    lint_repeated(config_.rooms, "a 'room' line");
+    lint_repeated(config_.frames, "a 'frame' line");
+    for (const auto& link : config_.links) {
+      lint_place(link.what.a, link.line, "the way up or down");
+      lint_place(link.what.b, link.line, "the way up or down");
+    }
+    for (const auto& exit : config_.exits) lint_place(exit.what.where, exit.line, "the exit");
+    std::set<std::string> names;
+    for (const auto& place : config_.places) {
+      lint_place(place.what.where, place.line, "the place");
+      if (place.what.name.empty()) {
+        warn(place.line, "the place has an empty name and nobody can ask for it; name it");
+      } else if (!names.insert(place.what.name).second) {
+        warn(place.line, "another place is called \"" + place.what.name + "\" too; give each its own name");
+      }
+    }
+  }
+
+ private:
+  void warn(int line, std::string message) { findings_.warn(config_.file, line, std::move(message)); }
+
+  void lint_ids() {
+    for (std::size_t i = 0; i < building_.rooms.size(); ++i) {
+      for (const std::string_view keyword : kKeywords) {
+        if (building_.rooms[i].id != keyword) continue;
+        findings_.warn(assembly_.source.rooms[i].file, 0,
+                       "the room's id is a keyword of building.cfg, where no door line can start with it; rename the room");
+      }
+    }
+  }
+
+  template <class T>
+  void lint_repeated(const std::vector<Located<T>>& lines, const std::string& what) {
+    std::map<std::string, int> first;
+    for (const Located<T>& line : lines) {
+      const auto [known, is_new] = first.try_emplace(line.what.room, line.line);
+      if (is_new) continue;
+      warn(line.line, "room '" + line.what.room + "' has " + what + " already, on line " +
+                          std::to_string(known->second) + "; the last one counts, remove the others");
+    }
+  }
+
+  void lint_place(const PlaceSource& place, int line, const std::string& what) {
+    const auto found = rooms_.find(place.room);
+    if (found == rooms_.end()) return;
+    const Room& room = building_.rooms[found->second];
+    if (contains(room.boundary, place.at)) return;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Segment& wall : room.walls) nearest = std::min(nearest, distance(wall, place.at));
+    if (nearest <= kInDoorway) return;
+    warn(line, what + " at " + phrases_.point(place.at) + " lies outside the floor of room '" + place.room + "', " +
+                   phrases_.length(nearest) + " from its walls; correct its position");
+  }
+
+  const Assembly& assembly_;
+  const ConfigSource& config_;
+  const Building& building_;
+  Phrases phrases_;
+  Findings& findings_;
+  std::map<std::string_view, std::size_t> rooms_;
+};
+
+}  // namespace
+
+void lint_landmarks(const Assembly& assembly, Findings& findings) { LandmarkLint(assembly, findings).run(); }
+
+}  // namespace echoway
