@@ -70,7 +70,7 @@ class Assembler {
     room.boundary = floor.boundary;
     if (floor.closed) {
       derive_features(source, floor, room);
-    } else {
+    } else if (source.readable) {
       report_open(source, floor, lines);
     }
   }

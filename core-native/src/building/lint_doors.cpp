@@ -121,7 +121,7 @@ class DoorLint {
 
   /// Two doors cannot stand in the same place of one room.
   void lint_neighbours() {
-    for (const std::vector<Opening>& openings : find_openings(building_)) {
+    for (const std::vector<DoorOpening>& openings : find_openings(building_)) {
       for (std::size_t i = 0; i < openings.size(); ++i) {
         for (std::size_t k = 0; k < i; ++k) {
           if (openings[i].wall != openings[k].wall) continue;

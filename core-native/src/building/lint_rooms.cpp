@@ -34,9 +34,9 @@ class RoomLint {
         findings_(findings) {}
 
   void run() {
+    if (!source_.readable || !floor_.closed) return;
     lint_snapped_ends();
     lint_overdrawn_walls();
-    if (!floor_.closed) return;
     lint_stray_elements();
     lint_corners();
     lint_edges();

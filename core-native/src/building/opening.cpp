@@ -46,7 +46,7 @@ std::optional<DoorOpening> find_opening(const Room& room, Vec2 at, double width)
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < room.walls.size(); ++i) {
     const double d = distance(room.walls[i], at);
-    if (d < nearest) {
+    if (d < nearest && room.walls[i].length() > 0.0) {
       nearest = d;
       opening.wall = i;
     }

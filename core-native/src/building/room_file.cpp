@@ -28,18 +28,16 @@ Counts parse_counts(LineParser& parser) {
 
 void parse_element(LineParser& parser, int line, double scale, RoomSource& room) {
   const std::string kind = parser.word("the kind of element");
-  if (kind == "1") {
-    room.walls.push_back({parser.segment(scale), line});
-  } else if (kind == "2") {
-    room.corners.push_back({parser.point(scale), line});
-  } else if (kind == "3") {
-    room.edges.push_back({parser.point(scale), line});
-  } else if (kind == "4") {
-    room.reflectors.push_back({parser.segment(scale), line});
-  } else {
-    parser.refuse(shown(kind) + " is no kind of element");
-  }
+  const bool is_segment = kind == "1" || kind == "4";
+  if (!is_segment && kind != "2" && kind != "3") return parser.refuse(shown(kind) + " is no kind of element");
+  const Segment segment = is_segment ? parser.segment(scale) : Segment{};
+  const Vec2 point = is_segment ? Vec2{} : parser.point(scale);
   parser.end();
+  if (parser.problem()) return;
+  if (kind == "1") room.walls.push_back({segment, line});
+  if (kind == "2") room.corners.push_back({point, line});
+  if (kind == "3") room.edges.push_back({point, line});
+  if (kind == "4") room.reflectors.push_back({segment, line});
 }
 
 void compare_counts(const Counts& counts, const RoomSource& room, Findings& findings) {
@@ -63,12 +61,12 @@ RoomSource read_room_file(const std::filesystem::path& file, std::string id, Len
   Result<text::LineReader> opened = text::LineReader::open(file);
   if (!opened) {
     findings.unusable(opened.error());
+    room.readable = false;
     return room;
   }
   text::LineReader reader = std::move(opened).value();
   std::optional<Counts> counts;
   std::size_t elements = 0;
-  bool all_lines_good = true;
   while (const auto line = reader.next()) {
     auto tokens = text::split_tokens(*line);
     if (tokens && tokens->empty()) continue;
@@ -84,19 +82,22 @@ RoomSource read_room_file(const std::filesystem::path& file, std::string id, Len
     if (parser.problem()) {
       const std::string_view form = is_counts ? "the first line must be 'walls corners edges [reflectors]'" : kLineForms;
       findings.unusable(room.file, reader.line(), *parser.problem() + "; " + std::string(form));
-      all_lines_good = false;
+      room.readable = false;
     }
     if (++elements > kMaxElements + 1) {
       findings.unusable(room.file, reader.line(),
                         "has more than " + std::to_string(kMaxElements) + " elements; split the room at its doors");
+      room.readable = false;
       return room;
     }
   }
   if (reader.error()) {
     findings.unusable(*reader.error());
+    room.readable = false;
   } else if (!counts) {
+    room.readable = false;
     findings.unusable(room.file, 0, "is empty; the first line must be 'walls corners edges [reflectors]'");
-  } else if (all_lines_good) {
+  } else if (room.readable) {
     compare_counts(*counts, room, findings);
   }
   return room;

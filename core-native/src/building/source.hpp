@@ -20,7 +20,8 @@ struct Located {
 struct RoomSource {
   std::string id;
   std::string file;
-  int counts_line = 0;  ///< Where findings about the whole room are put.
+  int counts_line = 0;   ///< Where findings about the whole room are put.
+  bool readable = true;  ///< False when some line was malformed: what else there is tells little.
   std::vector<Located<Segment>> walls;
   std::vector<Located<Vec2>> corners;
   std::vector<Located<Vec2>> edges;

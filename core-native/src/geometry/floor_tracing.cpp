@@ -81,7 +81,7 @@ class FloorTracer {
     for (const Loop* loop : floor_loops) out.boundary.push_back(without_straight_vertices(loop->points));
     find_floor_walks(floor_loops, out.boundary);
     find_meetings(out);
-    find_outside_walls(out);
+    find_outside_walls(floor->component, out);
     out.cut_off_area = cut_off_area(*floor);
     return out;
   }
@@ -114,11 +114,11 @@ class FloorTracer {
 
   void collect_loops() {
     const FaceWalks faces = walk_faces(graph_, bounds_);
-    const std::vector<Index> component = components(graph_, bounds_);
+    component_ = components(graph_, bounds_);
     for (const std::vector<Index>& walk : faces.walks) {
       Loop& loop = loops_.emplace_back();
       loop.halves = walk;
-      loop.component = component[graph_.origin(walk.front())];
+      loop.component = component_[graph_.origin(walk.front())];
       for (const Index half : walk) loop.points.push_back(at(graph_.origin(half)));
       loop.area = signed_area(loop.points);
     }
@@ -199,13 +199,14 @@ class FloorTracer {
     }
   }
 
-  void find_outside_walls(FloorTrace& out) const {
+  void find_outside_walls(Index floor_component, FloorTrace& out) const {
     std::vector<bool> seen(walls_.size(), false);
     std::vector<bool> on_floor(walls_.size(), false);
     for (std::size_t e = 0; e < graph_.edges.size(); ++e) {
       const Index wall = graph_.edges[e].wall;
       seen[wall] = true;
-      if (on_floor_[all_faces_.walk_of[2 * e]] || on_floor_[all_faces_.walk_of[2 * e + 1]]) on_floor[wall] = true;
+      const bool touches = on_floor_[all_faces_.walk_of[2 * e]] || on_floor_[all_faces_.walk_of[2 * e + 1]];
+      if (touches || component_[graph_.edges[e].from] == floor_component) on_floor[wall] = true;
     }
     for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
       if (seen[wall] && !on_floor[wall]) out.outside_walls.push_back(wall);
@@ -225,6 +226,7 @@ class FloorTracer {
   FaceWalks all_faces_;
   std::vector<bool> bounds_;     ///< By edge: has different faces on its two sides.
   std::vector<Loop> loops_;
+  std::vector<Index> component_; ///< By vertex: the connected piece of the graph without screens.
   std::vector<bool> on_floor_;   ///< By walk of all_faces_.
 };
 

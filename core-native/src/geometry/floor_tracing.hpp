@@ -42,7 +42,7 @@ struct FloorTrace {
   std::vector<WallMeeting> meetings;         ///< All around the floor, screens and holes included.
   std::vector<FreeEnd> free_ends;            ///< Ends of screens, and of walls that stick out of the room.
   std::vector<SnappedEnd> snapped;
-  std::vector<std::size_t> outside_walls;    ///< Walls no part of which bounds or stands on the floor, ascending.
+  std::vector<std::size_t> outside_walls;    ///< Walls that neither touch the floor nor join those that do, ascending.
   double cut_off_area = 0.0;                 ///< Of the largest other enclosure joined to the floor's outer walls, m^2.
 };
 
