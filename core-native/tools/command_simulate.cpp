@@ -24,6 +24,9 @@ struct Options {
   std::string profile = "furnished";
   std::vector<std::string> world;
   std::optional<std::uint64_t> seed;
+  std::string stands;
+  std::vector<double> bearings;
+  double radius_m = BeltConfig{}.radius_m;
   double random_s = 0.0;
   bool parameters = false;
 };
@@ -60,6 +63,19 @@ Status set_parameter(const std::string& assignment, sim::World& world) {
   return success();
 }
 
+Status set_parameters(const Options& options, sim::World& world) {
+  for (const std::string& assignment : options.world) {
+    if (Status status = set_parameter(assignment, world); !status.ok()) return status;
+  }
+  return success();
+}
+
+Result<sim::Profile> profile_of(const Options& options) {
+  const std::optional<sim::Profile> profile = sim::profile_of(options.profile);
+  if (!profile) return Error{"--profile is empty, furnished or hard, not " + options.profile};
+  return *profile;
+}
+
 // A walk file names its building relative to itself.
 std::string building_of(const Options& options, const sim::Walk& walk) {
   if (!options.building.empty() || walk.building.empty()) return options.building;
@@ -71,8 +87,8 @@ Result<sim::Walk> get_walk(const Options& options) {
     if (options.building.empty()) return Error{"--random needs --building"};
     const Result<Building> building = load_building(options.building);
     if (!building.ok()) return building.error();
-    const std::optional<sim::Profile> profile = sim::profile_of(options.profile);
-    if (!profile) return Error{"--profile is empty, furnished or hard, not " + options.profile};
+    const Result<sim::Profile> profile = profile_of(options);
+    if (!profile.ok()) return profile.error();
     sim::RandomWalkOptions wanted;
     wanted.duration_s = options.random_s;
     wanted.profile = *profile;
@@ -93,12 +109,30 @@ Status write_text(const std::string& text, const std::filesystem::path& file) {
   return error ? Status(Error{"cannot be written", file.string(), 0}) : success();
 }
 
+// One scan at each pose of a truth file.
+Status scan_at(const Options& options) {
+  if (options.building.empty()) return Error{"--at needs --building"};
+  const Result<Building> building = load_building(options.building);
+  if (!building.ok()) return building.error();
+  const Result<std::vector<TruthRow>> stands = read_truth_log(options.stands);
+  if (!stands.ok()) return stands.error();
+  const Result<sim::Profile> profile = profile_of(options);
+  if (!profile.ok()) return profile.error();
+  sim::World world = sim::make_world(*profile);
+  if (Status status = set_parameters(options, world); !status.ok()) return status;
+  sim::Ring ring;
+  ring.belt.radius_m = options.radius_m;
+  for (const double bearing : options.bearings) ring.bearings_rad.push_back(degrees(bearing));
+  const Result<ScanLog> log = sim::scan_at(*building, world, ring, *stands, options.seed.value_or(1));
+  if (!log.ok()) return log.error();
+  return write_scan_log(*log, options.out + ".scans.csv");
+}
+
 Status simulate(const Options& options) {
+  if (!options.stands.empty()) return scan_at(options);
   Result<sim::Walk> walk = get_walk(options);
   if (!walk.ok()) return walk.error();
-  for (const std::string& assignment : options.world) {
-    if (Status status = set_parameter(assignment, walk->world); !status.ok()) return status;
-  }
+  if (Status status = set_parameters(options, walk->world); !status.ok()) return status;
   const std::string dir = building_of(options, *walk);
   if (dir.empty()) return Error{"say in which building: --building DIR, or a line `building DIR` in the walk"};
   const Result<Building> building = load_building(dir);
@@ -124,7 +158,11 @@ void add_simulate(CLI::App& app, int& status) {
   command->add_option("--walk", options->walk, "Walk file (docs/walk-files.md)");
   command->add_option("--random", options->random_s, "Instead of a walk file: a random walk of about so many seconds")
       ->check(CLI::Range(1.0, 36000.0));
-  command->add_option("--profile", options->profile, "Of a random walk: empty, furnished or hard");
+  command->add_option("--profile", options->profile, "Of a random walk or a scan: empty, furnished or hard");
+  command->add_option("--at", options->stands, "Instead of a walk: one scan at each pose of this truth file");
+  command->add_option("--bearings", options->bearings, "For --at: the sensors' bearings, degrees (default: the belt's)")
+      ->delimiter(',');
+  command->add_option("--radius", options->radius_m, "For --at: from the axis to the transducers, metres");
   command->add_option("--world", options->world, "Change a parameter of the world: name=value (repeatable)")
       ->allow_extra_args(false);
   command->add_option("--seed", options->seed, "Instead of the walk's own");

@@ -24,6 +24,7 @@ constexpr auto kParameters = std::to_array<WorldParameter>({
     {"thermometer", &W::thermometer, 1, 0, 1, "the log says the temperature at the start"},
     {"reflectivity", &W::reflectivity, 1, 0, 1, "mean amplitude left after a bounce off a wall"},
     {"edge_gain_db", &W::edge_gain_db, 1, -20, 40, "jambs and convex corners above the ideal edge"},
+    {"door_casings", &W::door_casings, 1, 0, 1, "share of doors whose frame stands out from the wall"},
     {"rough_walls", &W::rough_walls, 1, 0, 1, "share of walls that answer at any incidence"},
     {"mirror_paths", &W::mirror_paths, 1, 0, 1, "echoes by way of walls that are not met squarely"},
     {"furniture_per_m2", &W::furniture_per_m2, 1, 0, 1, "cupboards, desks, sofas in no plan"},

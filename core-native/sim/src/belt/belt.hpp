@@ -7,16 +7,19 @@
 #include "belt/faults.hpp"
 #include "scene/floor_world.hpp"
 #include "scene/passers_by.hpp"
+#include "wearer/trajectory.hpp"
 
 namespace echoway::sim {
 
 /// The worn belt: fires a sensor and says what its ranging module would have said.
 class Belt {
  public:
-  Belt(const FloorPlan& plan, const Walk& walk, const Trajectory& trajectory, std::uint64_t seed);
+  /// `bearings`: of the sensors, from the chest; config.sensors is not looked at. Plan and world must outlive the belt.
+  Belt(const FloorPlan& plan, const BeltConfig& config, std::vector<double> bearings, const World& world,
+       Footprint footprint, std::uint64_t seed);
 
-  /// The `index`-th firing of the walk. Moments must not go back in time.
-  Firing fire(const Moment& moment, std::int64_t index);
+  /// The `index`-th firing. Moments must not go back in time.
+  Firing fire(const Moment& moment, int sensor, std::int64_t index);
 
   void happens(const Action& action, double now_s);
 
@@ -27,7 +30,9 @@ class Belt {
   [[nodiscard]] double temperature(const Moment& moment) const;
 
   const FloorPlan& plan_;
-  const Walk& walk_;
+  BeltConfig config_;
+  std::vector<double> bearings_;
+  const World& world_;
   std::uint64_t seed_;
   Receiver receiver_;
   FloorWorld floor_;

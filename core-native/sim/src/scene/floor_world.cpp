@@ -2,30 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "streams.hpp"
 
 namespace echoway::sim {
 namespace {
 
+constexpr double kStride = 0.1;     // Between the places of a footprint, metres.
 constexpr double kLeafClear = 0.35;  // A door's leaf stays this far from the wearer's way, metres.
-
-// Where the wearer passes, room by room, so that nothing is put there.
-std::map<RoomIndex, std::vector<Vec2>> footprints(const Trajectory& trajectory) {
-  std::map<RoomIndex, std::vector<Vec2>> places;
-  for (const Moment& moment : trajectory.samples()) {
-    std::vector<Vec2>& of_room = places[moment.room];
-    if (of_room.empty() || distance(of_room.back(), moment.pose.position) > 0.1) of_room.push_back(moment.pose.position);
-  }
-  return places;
-}
 
 }  // namespace
 
-FloorWorld::FloorWorld(const FloorPlan& plan, const Trajectory& trajectory, const World& world, std::uint64_t seed)
-    : plan_(plan), world_(world), seed_(seed), footprints_(footprints(trajectory)) {
+void Footprint::step_on(RoomIndex room, Vec2 at) {
+  std::vector<Vec2>& of_room = places[room];
+  if (of_room.empty() || distance(of_room.back(), at) > kStride) of_room.push_back(at);
+}
+
+FloorWorld::FloorWorld(const FloorPlan& plan, Footprint footprint, const World& world, std::uint64_t seed)
+    : plan_(plan), world_(world), seed_(seed), footprint_(std::move(footprint)) {
   for (std::size_t door = 0; door < plan.building().doors.size(); ++door) {
-    if (trajectory.doors_used().contains(door)) continue;
+    if (footprint_.doors.contains(door)) continue;
     if (stream(seed_, Stream::door_shut, door).uniform() < world.doors_shut) shut_.insert(door);
   }
 }
@@ -52,7 +49,7 @@ const RoomScene& FloorWorld::scene(RoomIndex room) {
   if (known != scenes_.end()) return known->second;
   const Random random = stream(seed_, Stream::room, static_cast<std::uint64_t>(room));
   return scenes_
-      .emplace(room, build_room_scene(plan_.building().room(room), plan_.doorways(room), world_, footprints_[room], random))
+      .emplace(room, build_room_scene(plan_.building().room(room), plan_.doorways(room), world_, footprint_.places[room], random))
       .first->second;
 }
 
@@ -70,7 +67,7 @@ std::optional<Segment> FloorWorld::leaf(RoomIndex room, const Doorway& doorway) 
   const Vec2 closed = (hinge_first ? 1.0 : -1.0) * doorway.along;
   const Vec2 tip = hinge + doorway.width * (std::cos(angle) * closed + std::sin(angle) * doorway.inward);
   const Segment leaf{hinge + 0.02 * doorway.inward, tip};
-  const std::vector<Vec2>& way = footprints_[room];
+  const std::vector<Vec2>& way = footprint_.places[room];
   const bool in_the_way =
       std::any_of(way.begin(), way.end(), [&](Vec2 p) { return distance(leaf, p) < kLeafClear; });
   if (in_the_way || !inside(plan_.building().room(room), tip)) return std::nullopt;

@@ -6,15 +6,22 @@
 
 #include "plan/floor_plan.hpp"
 #include "scene/view.hpp"
-#include "wearer/trajectory.hpp"
 
 namespace echoway::sim {
+
+/// Places and doors that the wearer uses: nothing is put there, and they are not shut by chance.
+struct Footprint {
+  std::map<RoomIndex, std::vector<Vec2>> places;  ///< In each room's frame, about 0.1 m apart.
+  std::set<std::size_t> doors;                    ///< Indices into Building::doors.
+
+  void step_on(RoomIndex room, Vec2 at);
+};
 
 /// The rooms as they stand while the wearer walks: furniture, which doors are shut, where their leaves stand. Made room by
 /// room when first heard.
 class FloorWorld final : public Surroundings {
  public:
-  FloorWorld(const FloorPlan& plan, const Trajectory& trajectory, const World& world, std::uint64_t seed);
+  FloorWorld(const FloorPlan& plan, Footprint footprint, const World& world, std::uint64_t seed);
 
   [[nodiscard]] const View& view_from(RoomIndex room);
   void set_door(std::size_t door, bool open);
@@ -28,7 +35,7 @@ class FloorWorld final : public Surroundings {
   const FloorPlan& plan_;
   const World& world_;
   std::uint64_t seed_;
-  std::map<RoomIndex, std::vector<Vec2>> footprints_;
+  Footprint footprint_;
   std::set<std::size_t> shut_;
   std::map<RoomIndex, RoomScene> scenes_;
   std::map<RoomIndex, View> views_;

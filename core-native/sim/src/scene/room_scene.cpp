@@ -12,6 +12,7 @@ constexpr double kDoorOffWall = 0.25;          // A door may be drawn this far o
 constexpr double kParallel = 0.2;              // Sine of the angle up to which a wall belongs to a doorway.
 constexpr double kShortest = 0.01;             // Shorter pieces of wall are dropped, metres.
 constexpr double kJoint = 0.03;                // Panels meet when they come this close, metres.
+constexpr double kCasingWall = 0.3;            // Wall beside a casing that serves its corner, metres.
 constexpr double kRightAngle = 0.05;           // Cosine of the angle up to which a joint still returns sound.
 
 // What is left of a wall when its door openings are cut out.
@@ -44,6 +45,18 @@ void add_reveals(const Doorway& doorway, double reflectivity, RoomScene& scene) 
   if (norm(outward) < kShortest || dot(outward, doorway.inward) > 0.0) return;
   const Segment opening = doorway.opening();
   for (const Vec2 jamb : {opening.a, opening.b}) scene.panels.push_back({{jamb, jamb + outward}, reflectivity});
+}
+
+// A casing is nailed around the frame and stands out from the wall: with the wall it makes a shallow corner.
+void add_casings(const Doorway& doorway, double reflectivity, Random& random, RoomScene& scene) {
+  const double wide = random.uniform(0.05, 0.10);
+  const double proud = random.uniform(0.01, 0.03);
+  const Segment opening = doorway.opening();
+  for (const double side : {-1.0, 1.0}) {
+    const Vec2 away = side * doorway.along;
+    const Vec2 at = (side < 0.0 ? opening.a : opening.b) + wide * away;
+    scene.corners.push_back({at, away, doorway.inward, kCasingWall, proud, reflectivity * reflectivity});
+  }
 }
 
 void add_corners_of(const Panel& one, const Panel& two, std::vector<Corner>& corners) {
@@ -107,6 +120,7 @@ RoomScene build_room_scene(const Room& room, const std::vector<Doorway>& doorway
                            const std::vector<Vec2>& kept_free, Random random) {
   RoomScene scene;
   Random of_walls = random.split();
+  Random of_doors = random.split();
   Random of_benches = random.split();
   Random of_furniture = random.split();
   for (const Segment& wall : room.walls) {
@@ -117,7 +131,10 @@ RoomScene build_room_scene(const Room& room, const std::vector<Doorway>& doorway
       if (rough) add_roughness(piece, of_walls, scene);
     }
   }
-  for (const Doorway& doorway : doorways) add_reveals(doorway, world.reflectivity, scene);
+  for (const Doorway& doorway : doorways) {
+    add_reveals(doorway, world.reflectivity, scene);
+    if (of_doors.uniform() < world.door_casings) add_casings(doorway, world.reflectivity, of_doors, scene);
+  }
   add_furniture(room, doorways, world, kept_free, of_furniture, scene);
   for (const Segment& bench : room.reflectors) add_bench(bench, of_benches, scene);
   for (std::size_t i = 0; i < scene.panels.size(); ++i) {

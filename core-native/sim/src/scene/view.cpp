@@ -1,5 +1,6 @@
 #include "scene/view.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace echoway::sim {
@@ -7,6 +8,7 @@ namespace {
 
 constexpr int kDoorsDeep = 2;
 constexpr double kDoorReflectivity = 0.9;
+constexpr double kSetBack = 0.04;  // Of a shut door behind the wall's face, metres, when the plan shows no thickness.
 constexpr int kMostHops = 8;
 constexpr double kSkin = 1e-3;  // Metres from either end of a line within which nothing blocks it.
 
@@ -41,6 +43,21 @@ double crossing(Vec2 from, Vec2 along, double length, const Segment& segment) no
   return s > length ? -1.0 : s;
 }
 
+// A shut door lies a little behind the wall's face; with the sides of its passage it makes shallow corners.
+void shut(const Doorway& doorway, const Pose2& frame, RoomScene& scene) {
+  const double depth = std::max(kSetBack, distance(doorway.middle, doorway.centre));
+  const Segment opening = doorway.opening();
+  const Vec2 back = -depth * doorway.inward;
+  const Vec2 axis = unit_from_angle(frame.heading);
+  const auto turned = [&](Vec2 v) { return Vec2{axis.x * v.x - axis.y * v.y, axis.y * v.x + axis.x * v.y}; };
+  const Segment leaf = moved(Segment{opening.a + back, opening.b + back}, frame);
+  const Vec2 along = turned(doorway.along);
+  const Vec2 inward = turned(doorway.inward);
+  scene.panels.push_back({leaf, kDoorReflectivity});
+  scene.corners.push_back({leaf.a, along, inward, doorway.width, depth, kDoorReflectivity});
+  scene.corners.push_back({leaf.b, -along, inward, doorway.width, depth, kDoorReflectivity});
+}
+
 }  // namespace
 
 View::View(RoomIndex centre, Surroundings& surroundings) { place(centre, Pose2{}, {}, 0, surroundings); }
@@ -53,7 +70,7 @@ void View::place(RoomIndex room, const Pose2& frame, const Entrance& entrance, i
     const Doorway& doorway = doorways[i];
     const Segment threshold = moved(doorway.threshold(), frame);
     if (!surroundings.is_open(doorway.door)) {
-      rooms_[self].scene.panels.push_back({threshold, kDoorReflectivity});
+      shut(doorway, frame, rooms_[self].scene);
       continue;
     }
     if (const std::optional<Segment> leaf = surroundings.leaf(room, doorway)) {

@@ -25,4 +25,15 @@ Result<Simulation> simulate(const Building& building, const Walk& walk, std::uin
 /// The same with the walk's own seed.
 Result<Simulation> simulate(const Building& building, const Walk& walk);
 
+/// A ring of sensors that need not be evenly spaced.
+struct Ring {
+  BeltConfig belt{};                 ///< Radius, least and greatest range; its slot is not waited for.
+  std::vector<double> bearings_rad;  ///< From the chest; empty: evenly spaced as belt.sensors says.
+};
+
+/// One whole scan, in no time, at each of `stands`: what a wearer (or a robot) who stands there hears. Rows come stand by
+/// stand, sensor by sensor, with the stand's time. Fails when a stand names a room that does not exist.
+Result<ScanLog> scan_at(const Building& building, const World& world, const Ring& ring,
+                        const std::vector<TruthRow>& stands, std::uint64_t seed);
+
 }  // namespace echoway::sim

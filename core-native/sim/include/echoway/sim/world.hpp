@@ -15,9 +15,9 @@ namespace echoway::sim {
 /// ordinary furnished building on an ordinary day; docs/simulator.md explains every one and where its value is from.
 struct World {
   // Transducer and receiver.
-  double transducer_radius_m = 0.0192;   ///< Of the vibrating disc; 38.4 mm across in the Polaroid 600 series.
+  double transducer_radius_m = 0.0163;   ///< Of an even piston with the same beam as the real disc.
   double frequency_hz = 49400.0;
-  double plane_margin_db = 24.0;         ///< By how much a plane wall 2 m off, on the axis, tops the threshold.
+  double plane_margin_db = 27.0;         ///< By how much a plane wall 2 m off, on the axis, tops the threshold.
   double absorption_db_per_m = 1.6;      ///< Of air at 49 kHz, along the path.
   double flutter_db = 1.0;               ///< Standard deviation of an echo's strength: turbulence, breathing, cloth.
   double range_noise = 0.01;             ///< Standard deviation, share of the range.
@@ -33,6 +33,7 @@ struct World {
   // Surfaces.
   double reflectivity = 0.9;             ///< Mean amplitude left after a bounce off a wall.
   double edge_gain_db = 14.0;            ///< Door jambs and convex corners above the ideal edge: mouldings, rounding.
+  double door_casings = 0.7;             ///< Share of doors whose frame stands out from the wall and so makes corners.
   double rough_walls = 0.1;              ///< Share of walls that answer at any incidence: brick, books, curtains.
   bool mirror_paths = true;              ///< Echoes by way of walls that are not met squarely.
 
