@@ -30,7 +30,7 @@ bool odd_crossings(const std::vector<Segment>& walls, Vec2 p, Vec2 unit) {
 }  // namespace
 
 FreeSpace::FreeSpace(const Building& building, RoomIndex room) : room_(&building.room(room)) {
-  std::vector<Opening> openings;
+  std::vector<DoorOpening> openings;
   for (std::size_t i = 0; i < building.doors.size(); ++i) {
     const Door& door = building.doors[i];
     const auto index = static_cast<std::int32_t>(i);
@@ -42,9 +42,9 @@ FreeSpace::FreeSpace(const Building& building, RoomIndex room) : room_(&building
   solids_ = SegmentTree(std::move(solids));
 }
 
-void FreeSpace::add_passage(const Door& door, std::int32_t index, Vec2 at, std::vector<Opening>& openings) {
+void FreeSpace::add_passage(const Door& door, std::int32_t index, Vec2 at, std::vector<DoorOpening>& openings) {
   Passage passage{index, at, {}};
-  const std::optional<Opening> opening = find_opening(*room_, at, door.width);
+  const std::optional<DoorOpening> opening = find_opening(*room_, at, door.width);
   if (opening && opening->span.length() > 0.0) {
     openings.push_back(*opening);
     openings.back().door = static_cast<std::size_t>(index);

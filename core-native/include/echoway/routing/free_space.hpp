@@ -58,7 +58,7 @@ class FreeSpace {
   [[nodiscard]] Vec2 settle(Vec2 p, double radius) const noexcept;
 
  private:
-  void add_passage(const Door& door, std::int32_t index, Vec2 at, std::vector<Opening>& openings);
+  void add_passage(const Door& door, std::int32_t index, Vec2 at, std::vector<DoorOpening>& openings);
   [[nodiscard]] bool keeps_away(const Segment& way, double radius) const noexcept;
   [[nodiscard]] bool crosses_doorway(const Segment& s) const noexcept;
 
