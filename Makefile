@@ -37,3 +37,5 @@ test: test-core ## Every test
 .PHONY: clean
 clean: ## Remove everything that was built
 	rm -rf $(BUILD)
+
+include core-native/verify.mk

@@ -1,0 +1,15 @@
+#include "target.hpp"
+
+#include <array>
+
+namespace echoway::fuzz {
+
+std::span<const Target> targets() {
+  static constexpr std::array kAll{
+      Target{"building", building},   Target{"scan_log", scan_log},       Target{"motion_log", motion_log},
+      Target{"track_log", track_log}, Target{"jni_layouts", jni_layouts},
+  };
+  return kAll;
+}
+
+}  // namespace echoway::fuzz

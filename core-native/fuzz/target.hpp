@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+/// What the fuzzers throw bytes at. The ordinary tests replay the corpus through the same functions, so a target must not
+/// depend on libFuzzer.
+namespace echoway::fuzz {
+
+using Bytes = std::span<const std::uint8_t>;
+
+struct Target {
+  std::string_view name;  ///< Also of its folders under corpus/ and regressions/.
+  /// Empty when every promise was kept, else which was broken. A refusal of the input is a kept promise.
+  std::string (*run)(Bytes);
+};
+
+std::string building(Bytes data);
+std::string scan_log(Bytes data);
+std::string motion_log(Bytes data);
+std::string track_log(Bytes data);
+std::string jni_layouts(Bytes data);
+
+[[nodiscard]] std::span<const Target> targets();
+
+}  // namespace echoway::fuzz

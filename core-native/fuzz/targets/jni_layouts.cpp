@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "layouts.hpp"
+#include "plans/plans.hpp"
+#include "reader.hpp"
+#include "target.hpp"
+
+namespace echoway::fuzz {
+namespace {
+
+constexpr std::byte kGuard{0xa5};
+constexpr std::size_t kGuardBytes = 64;
+
+Estimate any_estimate(Reader& in) {
+  Estimate e;
+  e.room = in.integer();
+  e.state = static_cast<TrackState>(in.byte());
+  for (double* field : {&e.time_s, &e.pose.position.x, &e.pose.position.y, &e.pose.heading, &e.sigma_m,
+                        &e.sigma_heading_rad, &e.room_probability, &e.covariance_xx, &e.covariance_xy,
+                        &e.covariance_yy, &e.speed_mps, &e.sound_speed_scale}) {
+    *field = in.number();
+  }
+  return e;
+}
+
+BeltHealth any_health(Reader& in) {
+  BeltHealth health;
+  health.link = static_cast<BeltLink>(in.byte());
+  health.sensor_count = in.integer();
+  health.temperature_c = in.number();
+  // Without the terminator that it should have.
+  for (char& c : health.firmware) c = static_cast<char>(in.byte());
+  for (SensorHealth& sensor : health.sensors) {
+    sensor.state = static_cast<SensorState>(in.byte());
+    sensor.firings = in.integer();
+    sensor.last_range_m = in.number();
+  }
+  return health;
+}
+
+std::string any_text(Reader& in) {
+  const auto bytes = in.bytes(in.byte());
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+Building any_building(Reader& in) {
+  Building building = plans::three_rooms();
+  building.name = any_text(in);
+  for (Room& room : building.rooms) {
+    room.id = any_text(in);
+    room.name = any_text(in);
+    room.level = in.integer();
+    room.walls.resize(in.byte(), {{in.number(), in.number()}, {in.number(), in.number()}});
+    room.boundary.resize(in.byte() % 8, std::vector<Vec2>(in.byte() % 8));
+  }
+  building.places.resize(in.byte() % 16, {in.integer(), {in.number(), in.number()}, any_text(in)});
+  return building;
+}
+
+/// Writes into a buffer of `size` bytes between guards. `write` must say what it needs whatever the size, touch nothing
+/// outside, and fill exactly what it says when that fits.
+template <class Write>
+std::string check_writer(std::size_t size, Write write) {
+  std::vector<std::byte> memory(size + 2 * kGuardBytes, kGuard);
+  const std::span<std::byte> out(memory.data() + kGuardBytes, size);
+  const std::size_t needed = write(out);
+  if (needed != write(std::span<std::byte>{})) return "the size needed depends on the buffer";
+  const auto intact = [](auto first, auto last) { return std::all_of(first, last, [](std::byte b) { return b == kGuard; }); };
+  if (!intact(memory.begin(), memory.begin() + kGuardBytes)) return "wrote in front of the buffer";
+  const auto end = static_cast<std::ptrdiff_t>(kGuardBytes + std::min(needed, size));
+  if (!intact(memory.begin() + end, memory.end())) return "wrote behind what it needs";
+  return "";
+}
+
+}  // namespace
+
+std::string jni_layouts(Bytes data) {
+  Reader in(data);
+  const std::size_t size = in.word();
+  const Estimate estimate = any_estimate(in);
+  const BeltHealth health = any_health(in);
+  const Building building = any_building(in);
+  std::string broken = check_writer(size, [&](auto out) { return jni::write_estimate(estimate, out); });
+  if (broken.empty()) broken = check_writer(size, [&](auto out) { return jni::write_belt_health(health, out); });
+  if (broken.empty()) broken = check_writer(size, [&](auto out) { return jni::write_plan(building, out); });
+  return broken;
+}
+
+}  // namespace echoway::fuzz
