@@ -1,0 +1,176 @@
+#include "echoway/session.hpp"
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "echoway/belt/belt_monitor.hpp"
+#include "echoway/belt/firing_clock.hpp"
+#include "echoway/belt/sentence.hpp"
+#include "echoway/building/loader.hpp"
+#include "session/make_locator.hpp"
+
+namespace echoway {
+namespace {
+
+Status check_belt(const BeltConfig& belt) {
+  if (belt.sensors < 1 || belt.sensors > kMaxSensors) {
+    return Error{"the belt has " + std::to_string(belt.sensors) + " sensors; 1 to " + std::to_string(kMaxSensors) +
+                 " are possible"};
+  }
+  const std::array<double, 7> positive{belt.beam_rad,    belt.slot_s,      belt.min_range_m,
+                                       belt.max_range_m, belt.range_noise, belt.max_range_m - belt.min_range_m,
+                                       belt.temperature_c + 273.15};
+  for (const double value : positive) {
+    if (!(value > 0.0) || !std::isfinite(value)) {
+      return Error{"the belt's beam, slot, ranges, noise or temperature is not a positive, finite number"};
+    }
+  }
+  if (!(belt.radius_m >= 0.0) || !std::isfinite(belt.radius_m)) return Error{"the belt's radius is negative or not finite"};
+  return success();
+}
+
+Status check_start(const Start& start, const Building& building) {
+  const bool has_room = start.room.has_value();
+  if (has_room && (*start.room < 0 || static_cast<std::size_t>(*start.room) >= building.rooms.size())) {
+    return Error{"the start names a room that the building does not have"};
+  }
+  if (!has_room && (start.position || start.heading)) return Error{"a start position or heading needs its room"};
+  if (start.position && !is_finite(*start.position)) return Error{"the start position is not finite"};
+  if (start.heading && !std::isfinite(*start.heading)) return Error{"the start heading is not finite"};
+  return success();
+}
+
+Status check_config(const SessionConfig& config, const Building& building) {
+  if (building.rooms.empty()) return Error{"the building has no rooms"};
+  if (Status belt = check_belt(config.belt); !belt) return belt;
+  return check_start(config.start, building);
+}
+
+}  // namespace
+
+struct Session::Impl {
+  Impl(Building model, const SessionConfig& configuration)
+      : building(std::move(model)),
+        config(configuration),
+        sound_speed(speed_of_sound(config.belt.temperature_c)),
+        clock(config.belt.slot_s),
+        monitor(config.belt.sensors) {
+    for (int i = 0; i < config.belt.sensors; ++i) last_scan[static_cast<std::size_t>(i)] = {-1.0, i, Firing::kNoEcho};
+  }
+
+  bool take_firing(const Firing& firing) {
+    monitor.on_firing(firing);
+    if (firing.sensor >= 0 && firing.sensor < config.belt.sensors && std::isfinite(firing.time_s)) {
+      last_scan[static_cast<std::size_t>(firing.sensor)] = firing;
+    }
+    const bool renewed = locator->on_firing(firing);
+    if (renewed) monitor.set_suspicions(locator->suspicions());
+    return renewed;
+  }
+
+  void take(const EchoSentence& echo) { take_numbered(echo.seq, echo.sensor, range_m(echo, sound_speed)); }
+  void take(const RangeSentence& range) { take_numbered(range.seq, range.sensor, range_m(range)); }
+  void take(const FaultSentence& fault) { monitor.on_fault(fault.sensor, fault.code, arrival); }
+  void take(const StatusSentence& status) {
+    monitor.on_status(status.sensors, status.firmware_name(), status.temperature_c(), status.battery_v(), arrival);
+    if (const auto celsius = status.temperature_c()) locator->on_temperature(*celsius);
+  }
+
+  void take_numbered(std::uint16_t seq, int sensor, double range) {
+    ++firings_taken;
+    take_firing({clock.stamp(seq, arrival).time_s, sensor, range});
+  }
+
+  void copy_counters() {
+    const SentenceCounts& counts = decoder.counts();
+    BeltHealth& health = monitor.counters();
+    health.good_sentences = counts.good;
+    health.bad_checksums = counts.bad_crc;
+    health.malformed = counts.malformed + counts.overlong;
+    health.lost_firings = counts.lost_firings;
+    health.restarts = counts.restarts;
+  }
+
+  Building building;
+  SessionConfig config;
+  double sound_speed;                // at which times of flight become ranges
+  std::unique_ptr<Locator> locator;  // refers to `building`
+  SentenceDecoder decoder;
+  FiringClock clock;
+  BeltMonitor monitor;
+  std::array<Firing, kMaxSensors> last_scan{};
+  double arrival = 0.0;              // of the bytes being taken
+  int firings_taken = 0;
+};
+
+Session::Session(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Session::~Session() = default;
+
+Result<std::unique_ptr<Session>> Session::open(const std::filesystem::path& building_dir, const SessionConfig& config) {
+  Result<Building> building = load_building(building_dir);
+  if (!building) return building.error();
+  return open(std::move(*building), config);
+}
+
+Result<std::unique_ptr<Session>> Session::open(Building building, const SessionConfig& config) {
+  if (const Status good = check_config(config, building); !good) return good.error();
+  auto impl = std::make_unique<Impl>(std::move(building), config);
+  Result<std::unique_ptr<Locator>> locator = make_locator(impl->building, config);
+  if (!locator) return locator.error();
+  impl->locator = std::move(*locator);
+  return std::unique_ptr<Session>(new Session(std::move(impl)));
+}
+
+int Session::on_bytes(std::span<const std::uint8_t> bytes, double arrival_s) {
+  if (!std::isfinite(arrival_s)) return 0;
+  impl_->arrival = arrival_s;
+  impl_->firings_taken = 0;
+  impl_->decoder.feed(bytes, [this](const Sentence& sentence) {
+    std::visit([this](const auto& kind) { impl_->take(kind); }, sentence);
+  });
+  impl_->copy_counters();
+  return impl_->firings_taken;
+}
+
+bool Session::on_firing(const Firing& firing) { return impl_->take_firing(firing); }
+
+void Session::on_motion(const MotionHint& hint) { impl_->locator->on_motion(hint); }
+
+void Session::on_tick(double now_s) { impl_->monitor.on_tick(now_s); }
+
+void Session::on_belt_attached(double now_s) {
+  impl_->decoder.reset();
+  impl_->clock.reset();
+  impl_->monitor.on_tick(now_s);
+}
+
+void Session::on_belt_detached(double now_s) {
+  impl_->monitor.on_detached();
+  impl_->monitor.on_tick(now_s);
+}
+
+Status Session::restart(const Start& start) {
+  if (Status good = check_start(start, impl_->building); !good) return good;
+  SessionConfig config = impl_->config;
+  config.start = start;
+  Result<std::unique_ptr<Locator>> locator = make_locator(impl_->building, config);
+  if (!locator) return locator.error();
+  impl_->config = config;
+  impl_->locator = std::move(*locator);
+  return success();
+}
+
+const Building& Session::building() const { return impl_->building; }
+const SessionConfig& Session::config() const { return impl_->config; }
+const Estimate& Session::estimate() const { return impl_->locator->estimate(); }
+std::span<const Hypothesis> Session::hypotheses() const { return impl_->locator->hypotheses(); }
+const BeltHealth& Session::belt_health() const { return impl_->monitor.health(); }
+
+std::span<const Firing> Session::last_scan() const {
+  return std::span(impl_->last_scan).first(static_cast<std::size_t>(impl_->config.belt.sensors));
+}
+
+}  // namespace echoway

@@ -1,0 +1,91 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "echoway/io/logs.hpp"
+#include "support/process.hpp"
+
+namespace echoway {
+namespace {
+
+using test::ProcessResult;
+using test::run_echoway;
+using test::TemporaryFolder;
+
+const std::string kLab = std::string(ECHOWAY_MAPS_DIR) + "/torgersen-lab";
+
+/// A short simulated walk in the lab and where it starts.
+class Locate : public testing::Test {
+ protected:
+  void SetUp() override {
+    const ProcessResult simulated = run_echoway(
+        {"simulate", "--building", kLab, "--random", "12", "--profile", "furnished", "--seed", "3", "--out", prefix_});
+    ASSERT_EQ(simulated.status, 0) << simulated.err;
+    const auto truth = read_truth_log(prefix_ + ".truth.csv");
+    ASSERT_TRUE(truth.ok());
+    const TruthRow& first = truth->front();
+    start_ = first.room + "," + std::to_string(first.pose.position.x) + "," + std::to_string(first.pose.position.y) + "," +
+             std::to_string(to_degrees(first.pose.heading));
+  }
+
+  ProcessResult locate(std::vector<std::string> more) {
+    std::vector<std::string> arguments{"locate", "--building", kLab, "--scans", prefix_ + ".scans.csv", "--track", track_};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_echoway(arguments);
+  }
+
+  TemporaryFolder folder_;
+  std::string prefix_ = (folder_.path() / "walk").string();
+  std::string track_ = (folder_.path() / "track.csv").string();
+  std::string start_;
+};
+
+TEST_F(Locate, WritesARowPerFiringWithTheTracker) {
+  const ProcessResult result = locate({"--start", start_, "--motion", prefix_ + ".motion.csv"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(read_track_log(track_)->size(), read_scan_log(prefix_ + ".scans.csv")->firings.size());
+}
+
+TEST_F(Locate, GivesTheSameBytesOnEveryRun) {
+  ASSERT_EQ(locate({"--start", start_, "--seed", "9"}).status, 0);
+  const std::string first = test::read_file(track_);
+  ASSERT_EQ(locate({"--start", start_, "--seed", "9"}).status, 0);
+  EXPECT_EQ(test::read_file(track_), first);
+}
+
+TEST_F(Locate, BadInputIsNamedAndNothingIsWritten) {
+  const std::string broken = folder_.write("broken.csv", "time_s,sensor,range_m\n0.0,0,1.5\n0.1,one,1.5\n").string();
+  const ProcessResult result =
+      run_echoway({"locate", "--building", kLab, "--scans", broken, "--track", track_});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find(broken + ":3: "), std::string::npos) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(track_));
+}
+
+TEST_F(Locate, RefusesAStartThatCannotBe) {
+  for (const std::string start : {"nowhere,0,0,0", "4,1,x,0", "4,1,2,3,4", "4,1,,0", "4,nan,1,0"}) {
+    const ProcessResult result = locate({"--start", start});
+    EXPECT_EQ(result.status, 2) << start;
+    EXPECT_NE(result.err.find("--start " + start), std::string::npos) << result.err;
+  }
+}
+
+TEST(CommandLine, BadUsageExitsWithTwo) {
+  EXPECT_EQ(run_echoway({}).status, 2);
+  EXPECT_EQ(run_echoway({"fly"}).status, 2);
+  EXPECT_EQ(run_echoway({"locate"}).status, 2);
+  EXPECT_EQ(run_echoway({"locate", "--building", kLab, "--scans", "x", "--track", "y", "--sensors", "0"}).status, 2);
+  EXPECT_EQ(run_echoway({"locate", "--building", "/no/such", "--scans", "x", "--track", "y"}).status, 2);
+}
+
+TEST(CommandLine, EveryCommandHasHelp) {
+  for (const char* command : {"check", "describe", "locate", "monitor", "play", "score", "simulate"}) {
+    const ProcessResult result = run_echoway({command, "--help"});
+    EXPECT_EQ(result.status, 0) << command;
+    EXPECT_NE(result.out.find("Usage"), std::string::npos) << command;
+  }
+}
+
+}  // namespace
+}  // namespace echoway

@@ -1,0 +1,92 @@
+#include <fmt/core.h>
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "echoway/building/loader.hpp"
+#include "echoway/io/logs.hpp"
+#include "session_options.hpp"
+
+namespace echoway::tools {
+namespace {
+
+struct LocateOptions {
+  SessionOptions session;
+  std::string scans;
+  std::string motion;
+  std::string track;
+};
+
+TrackRow to_row(const Estimate& estimate, const Building& building) {
+  TrackRow row;
+  row.where.time_s = estimate.time_s;
+  row.where.room = building.room(estimate.room).id;
+  row.where.pose = estimate.pose;
+  row.sigma_m = estimate.sigma_m;
+  row.room_probability = estimate.room_probability;
+  row.state = estimate.state;
+  return row;
+}
+
+// Both logs in order of time; a hint comes before a firing of the same instant, so that the firing profits from it.
+template <class OnHint, class OnFiring>
+void replay(const ScanLog& scans, const std::vector<MotionHint>& hints, OnHint on_hint, OnFiring on_firing) {
+  std::size_t next_hint = 0;
+  for (const Firing& firing : scans.firings) {
+    while (next_hint < hints.size() && hints[next_hint].time_s <= firing.time_s) on_hint(hints[next_hint++]);
+    on_firing(firing);
+  }
+}
+
+int locate(const LocateOptions& options) {
+  Result<Building> building = load_building(options.session.building);
+  if (!building) return bad_input(building.error());
+  const Result<ScanLog> scans = read_scan_log(options.scans);
+  if (!scans) return bad_input(scans.error());
+  std::vector<MotionHint> hints;
+  if (!options.motion.empty()) {
+    Result<std::vector<MotionHint>> log = read_motion_log(options.motion);
+    if (!log) return bad_input(log.error());
+    hints = std::move(*log);
+  }
+  const Result<SessionConfig> config = options.session.config(*building, scans->belt);
+  if (!config) return bad_input(config.error());
+  Result<std::unique_ptr<Session>> opened = Session::open(std::move(*building), *config);
+  if (!opened) return bad_input(opened.error());
+  Session& session = **opened;
+
+  std::vector<TrackRow> track;
+  track.reserve(scans->firings.size());
+  const auto begin = std::chrono::steady_clock::now();
+  replay(
+      *scans, hints, [&](const MotionHint& hint) { session.on_motion(hint); },
+      [&](const Firing& firing) {
+        if (session.on_firing(firing) && session.estimate().room != kNoRoom) {
+          track.push_back(to_row(session.estimate(), session.building()));
+        }
+      });
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+
+  if (const Status written = write_track_log(track, options.track); !written) return bad_input(written.error());
+  fmt::print("{} firings, {} estimates in {:.3f} s: {:.1f} us a firing\n", scans->firings.size(), track.size(),
+             took.count(), 1e6 * took.count() / static_cast<double>(std::max<std::size_t>(1, scans->firings.size())));
+  return 0;
+}
+
+}  // namespace
+
+void add_locate(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand("locate", "Room and pose from a scan log");
+  auto options = std::make_shared<LocateOptions>();
+  options->session.add_to(*command);
+  command->add_option("--scans", options->scans, "Scan log (*.scans.csv)")->required();
+  command->add_option("--motion", options->motion, "Motion log (*.motion.csv)");
+  command->add_option("--track", options->track, "Track to write")->required();
+  command->callback([options, &status] { status = locate(*options); });
+}
+
+}  // namespace echoway::tools

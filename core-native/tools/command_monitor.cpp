@@ -1,0 +1,110 @@
+#include <fmt/core.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "commands.hpp"
+#include "echoway/building/loader.hpp"
+#include "live_report.hpp"
+#include "serial_port.hpp"
+#include "session_options.hpp"
+
+namespace echoway::tools {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Often enough to notice a silent belt within two seconds.
+constexpr int kTickMs = 250;
+// A belt that was pulled out is waited for this long before the command ends.
+constexpr std::chrono::seconds kReturnWait{5};
+
+std::atomic<bool> interrupted{false};
+
+void interrupt(int) { interrupted = true; }
+
+struct MonitorOptions {
+  SessionOptions session;
+  std::string port;
+  int baud = 38400;
+};
+
+class Monitor {
+ public:
+  Monitor(Session& session, const MonitorOptions& options) : session_(session), options_(options) {}
+
+  int run() {
+    Result<SerialPort> port = SerialPort::open(options_.port, options_.baud);
+    if (!port) return bad_input(port.error());
+    std::optional<SerialPort> line(std::move(*port));
+    while (line && !interrupted) {
+      session_.on_belt_attached(now());
+      listen(*line);
+      line.reset();
+      session_.on_belt_detached(now());
+      report_.update(session_);
+      if (!interrupted) line = wait_for_return();
+    }
+    return 0;
+  }
+
+ private:
+  [[nodiscard]] double now() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+
+  void listen(SerialPort& line) {
+    std::array<std::uint8_t, 512> buffer{};
+    while (!interrupted) {
+      const SerialPort::Read read = line.read(buffer, kTickMs);
+      if (read.outcome == SerialPort::Outcome::closed) return;
+      if (read.count > 0) session_.on_bytes(std::span(buffer).first(read.count), now());
+      session_.on_tick(now());
+      report_.update(session_);
+    }
+  }
+
+  std::optional<SerialPort> wait_for_return() {
+    const auto give_up = Clock::now() + kReturnWait;
+    while (!interrupted && Clock::now() < give_up) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(kTickMs));
+      Result<SerialPort> port = SerialPort::open(options_.port, options_.baud);
+      if (port) return std::move(*port);
+    }
+    return std::nullopt;
+  }
+
+  Session& session_;
+  const MonitorOptions& options_;
+  LiveReport report_;
+  Clock::time_point begin_ = Clock::now();
+};
+
+int monitor(const MonitorOptions& options) {
+  Result<Building> building = load_building(options.session.building);
+  if (!building) return bad_input(building.error());
+  const Result<SessionConfig> config = options.session.config(*building, {});
+  if (!config) return bad_input(config.error());
+  Result<std::unique_ptr<Session>> session = Session::open(std::move(*building), *config);
+  if (!session) return bad_input(session.error());
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+  return Monitor(**session, options).run();
+}
+
+}  // namespace
+
+void add_monitor(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand("monitor", "Room and pose, live from the belt's serial port");
+  auto options = std::make_shared<MonitorOptions>();
+  options->session.add_to(*command);
+  command->add_option("--port", options->port, "Serial device of the belt, or a pseudo-terminal")->required();
+  command->add_option("--baud", options->baud, "Baud rate")->capture_default_str();
+  command->callback([options, &status] { status = monitor(*options); });
+}
+
+}  // namespace echoway::tools
