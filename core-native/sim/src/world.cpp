@@ -57,7 +57,7 @@ World random_world(Profile profile, Random& random) {
   const auto around = [&random](double value) { return value * random.uniform(0.5, 1.5); };
   // A wall 2 m off answers within 7 to 13 degrees of its normal, as reported for such transducers in different mounts.
   const double half_angle = random.uniform(degrees(7.0), degrees(13.0));
-  world.plane_margin_db = random.uniform(22.0, 32.0);
+  world.plane_margin_db = random.uniform(14.0, 32.0);
   world.transducer_radius_m = transducer_radius_for(half_angle, world);
   world.absorption_db_per_m = random.uniform(1.2, 1.9);
   world.flutter_db = random.uniform(0.3, 2.0);
@@ -65,10 +65,10 @@ World random_world(Profile profile, Random& random) {
   world.temperature_c = random.uniform(8.0, 32.0);
   world.temperature_gradient_k_per_m = random.uniform(0.0, 0.1);
   world.temperature_drift_k_per_min = random.uniform(-0.1, 0.1);
-  world.reflectivity = random.uniform(0.75, 0.95);
-  world.edge_gain_db = random.uniform(4.0, 20.0);
+  world.reflectivity = random.uniform(0.6, 0.95);
+  world.edge_gain_db = random.uniform(0.0, 20.0);
   world.door_casings = random.uniform(0.3, 1.0);
-  world.rough_walls = around(world.rough_walls);
+  world.rough_walls *= random.uniform(0.0, 2.0);
   world.furniture_per_m2 = around(world.furniture_per_m2);
   world.posts_per_m2 = around(world.posts_per_m2);
   world.people_per_100m2 = around(world.people_per_100m2);

@@ -30,6 +30,9 @@ struct Mirror {
   Vec2 along{};
 };
 
+// norm() is safe against overflow, which costs; rooms are not that large.
+double length_of(Vec2 v) { return std::sqrt(squared_norm(v)); }
+
 Vec2 reflect(Vec2 v, Vec2 unit_along) { return 2.0 * dot(v, unit_along) * unit_along - v; }
 
 Vec2 image(Vec2 p, const Mirror& mirror) { return mirror.panel->at.a + reflect(p - mirror.panel->at.a, mirror.along); }
@@ -130,7 +133,7 @@ class PathFinder {
 
   Vec2 direction(Vec2 target) const {
     const Vec2 d = target - sensor_.face;
-    const double length = norm(d);
+    const double length = length_of(d);
     return length > 1e-9 ? (1.0 / length) * d : sensor_.axis;
   }
 
@@ -138,7 +141,7 @@ class PathFinder {
   Vec2 direction(const Vantage& vantage, Vec2 target) const {
     if (vantage.mirror == nullptr) return direction(target);
     const Vec2 d = target - vantage.at;
-    const double length = norm(d);
+    const double length = length_of(d);
     return length > 1e-9 ? reflect((1.0 / length) * d, vantage.along) : sensor_.axis;
   }
 
@@ -171,12 +174,12 @@ class PathFinder {
 
   void plane(const Vantage& vantage, int room, const Panel& panel) {
     const Vec2 d = panel.at.direction();
-    const double length = norm(d);
+    const double length = length_of(d);
     if (!(length > 0.0)) return;
     const double along = dot(vantage.at - panel.at.a, d) / length;
     if (along < -kBeyondEnd || along > length + kBeyondEnd) return;
     const Vec2 foot = panel.at.a + (along / length) * d;
-    const double path = 2.0 * std::max(kNearest, distance(foot, vantage.at));
+    const double path = 2.0 * std::max(kNearest, length_of(foot - vantage.at));
     const double taper = receiver_.end_taper(along, path) * receiver_.end_taper(length - along, path);
     if (!noticeable_return(vantage, foot, path, taper * panel.reflectivity)) return;
     if (clear(vantage, room, nearest_point(panel.at, vantage.at))) arrivals_.push_back(path_);
@@ -185,7 +188,7 @@ class PathFinder {
   void corner_echo(const Vantage& vantage, int room, const Corner& corner) {
     const Vec2 to = vantage.at - corner.at;
     if (dot(to, corner.u) <= 0.0 || dot(to, corner.v) <= 0.0) return;
-    const double d = std::max(kNearest, norm(to));
+    const double d = std::max(kNearest, length_of(to));
     // The part of the wave that both panels return: as wide as the shorter panel looks from here.
     const double reach = std::min(corner.reach_u * dot(to, corner.v), corner.reach_v * dot(to, corner.u)) / d;
     const double size = 2.0 * receiver_.end_taper(reach, 2.0 * d) - 1.0;
@@ -194,14 +197,14 @@ class PathFinder {
   }
 
   void scatter(const Vantage& vantage, int room, const Scatterer& scatterer) {
-    const double d = std::max(kNearest, distance(scatterer.at, vantage.at) - scatterer.radius);
+    const double d = std::max(kNearest, length_of(scatterer.at - vantage.at) - scatterer.radius);
     const double loss = scatterer.gain * receiver_.scatter_loss(d, scatterer.radius);
     if (noticeable_return(vantage, scatterer.at, 2.0 * d, loss) && clear(vantage, room, scatterer.at)) {
       arrivals_.push_back(path_);
     }
     if (vantage.mirror == nullptr) return;
     // By the mirror out and straight back, or the other way round: two paths of one length.
-    const double back = std::max(kNearest, distance(scatterer.at, sensor_.face) - scatterer.radius);
+    const double back = std::max(kNearest, length_of(scatterer.at - sensor_.face) - scatterer.radius);
     if (noticeable(d + back, direction(vantage, scatterer.at), direction(scatterer.at),
                    2.0 * loss * vantage.mirror->reflectivity) &&
         clear(sensor_.room, sensor_.face, room, scatterer.at) && clear(vantage, room, scatterer.at)) {

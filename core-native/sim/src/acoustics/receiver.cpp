@@ -14,6 +14,7 @@ constexpr double kReferencePath = 4.0;   // There and back to a plane 2 m off.
 constexpr double kGainRiseDb = 40.0;     // From the first gain step to the last.
 constexpr double kPulse = 16.0;          // Cycles in the ping: the echo's envelope rises that long.
 constexpr double kNearestPath = 0.05;    // Metres; shorter paths count as this long.
+constexpr int kPatternSteps = 4096;      // Of the tabulated directivity; linear between, good to 1e-5.
 constexpr int kSamplesPerPulse = 24;     // Of the envelope where echoes overlap.
 // Times at which the ranging module raises its gain, seconds after the ping (step table of its control chip; the last
 // is the "maximum 38 ms after emission" of the thesis, section 6.1).
@@ -35,6 +36,12 @@ Receiver::Receiver(const World& world)
       margin_(from_db(world.plane_margin_db)) {
   wavelength_ = sound_speed_ / world.frequency_hz;
   wave_number_ = kTwoPi / wavelength_;
+  pattern_.reserve(kPatternSteps + 2);
+  for (int i = 0; i <= kPatternSteps; ++i) {
+    const double sine = static_cast<double>(i) / kPatternSteps;
+    pattern_.push_back(std::sqrt(1.0 - sine * sine) * piston_directivity(wave_number_, radius_, sine));
+  }
+  pattern_.push_back(0.0);
 }
 
 double Receiver::gain(double path_m) const noexcept {
@@ -44,8 +51,9 @@ double Receiver::gain(double path_m) const noexcept {
 
 double Receiver::directivity(double cos_theta) const noexcept {
   if (cos_theta <= 0.0) return 0.0;
-  const double sin_theta = std::sqrt(std::max(0.0, 1.0 - cos_theta * cos_theta));
-  return cos_theta * piston_directivity(wave_number_, radius_, sin_theta);
+  const double place = kPatternSteps * std::sqrt(std::max(0.0, 1.0 - cos_theta * cos_theta));
+  const auto i = static_cast<std::size_t>(place);
+  return pattern_[i] + (place - static_cast<double>(i)) * (pattern_[i + 1] - pattern_[i]);
 }
 
 double Receiver::path_amplitude(double path_m) const noexcept {

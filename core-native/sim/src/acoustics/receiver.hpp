@@ -52,6 +52,7 @@ class Receiver {
  private:
   [[nodiscard]] double gain(double path_m) const noexcept;
 
+  std::vector<double> pattern_;  // Directivity, evenly spaced in the sine of the angle off the axis.
   double wave_number_;
   double wavelength_;
   double radius_;
