@@ -18,7 +18,7 @@ std::vector<std::vector<Passage>> find_passages(const Building& building,
     for (std::size_t i = 0; i < doorways[room].size(); ++i) {
       const Doorway& here = doorways[room][i];
       const Doorway& there = doorways[static_cast<std::size_t>(here.other)][here.twin];
-      passages[room].push_back({here.other, here.middle, there.middle, static_cast<int>(i), -1});
+      passages[room].push_back({here.other, here.middle(), there.middle(), static_cast<int>(i), -1});
     }
   }
   for (std::size_t i = 0; i < building.links.size(); ++i) {
@@ -105,7 +105,7 @@ Result<std::vector<Stretch>> FloorPlan::route(RoomIndex from_room, Vec2 from, Ro
     Vec2 target = passage.leave_at;
     if (passage.doorway >= 0) {
       const Doorway& doorway = doorways(room)[static_cast<std::size_t>(passage.doorway)];
-      target = doorway.centre + kApproach * doorway.inward;
+      target = doorway.centre() + kApproach * doorway.inward;
     }
     const std::vector<Vec2> way = grid(room).path(here, target);
     if (way.empty()) {
@@ -117,8 +117,8 @@ Result<std::vector<Stretch>> FloorPlan::route(RoomIndex from_room, Vec2 from, Ro
     if (passage.doorway >= 0) {
       const Doorway& doorway = doorways(room)[static_cast<std::size_t>(passage.doorway)];
       const Doorway& twin = doorways(passage.to)[doorway.twin];
-      stretch.points.push_back(doorway.middle);
-      here = twin.centre + kApproach * twin.inward;
+      stretch.points.push_back(doorway.middle());
+      here = twin.centre() + kApproach * twin.inward;
       first.push_back(here);
     }
     stretches.push_back(std::move(stretch));

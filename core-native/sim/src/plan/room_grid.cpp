@@ -4,7 +4,7 @@
 #include <limits>
 #include <queue>
 
-#include "plan/doorway.hpp"
+#include "echoway/geometry/inclusion.hpp"
 
 namespace echoway::sim {
 
@@ -27,7 +27,7 @@ RoomGrid::RoomGrid(const Room& room) {
     double d = std::numeric_limits<double>::infinity();
     for (const Segment& wall : room.walls) d = std::min(d, distance(wall, p));
     for (const Segment& bench : room.reflectors) d = std::min(d, distance(bench, p));
-    clearance_[static_cast<std::size_t>(cell)] = inside(room, p) ? d : -d;
+    clearance_[static_cast<std::size_t>(cell)] = contains(room.boundary, p) ? d : -d;
   }
 }
 

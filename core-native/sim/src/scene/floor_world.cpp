@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "echoway/geometry/inclusion.hpp"
 #include "streams.hpp"
 
 namespace echoway::sim {
@@ -62,15 +63,14 @@ std::optional<Segment> FloorWorld::leaf(RoomIndex room, const Doorway& doorway) 
   const bool hinge_first = random.uniform() < 0.5;
   const double angle = random.uniform(degrees(60.0), degrees(120.0));
   if (!present || into_a != (room == plan_.building().doors[doorway.door].room_a)) return std::nullopt;
-  const Segment opening = doorway.opening();
-  const Vec2 hinge = hinge_first ? opening.a : opening.b;
-  const Vec2 closed = (hinge_first ? 1.0 : -1.0) * doorway.along;
-  const Vec2 tip = hinge + doorway.width * (std::cos(angle) * closed + std::sin(angle) * doorway.inward);
+  const Vec2 hinge = hinge_first ? doorway.opening.a : doorway.opening.b;
+  const Vec2 closed = (hinge_first ? 1.0 : -1.0) * doorway.along();
+  const Vec2 tip = hinge + doorway.width() * (std::cos(angle) * closed + std::sin(angle) * doorway.inward);
   const Segment leaf{hinge + 0.02 * doorway.inward, tip};
   const std::vector<Vec2>& way = footprint_.places[room];
   const bool in_the_way =
       std::any_of(way.begin(), way.end(), [&](Vec2 p) { return distance(leaf, p) < kLeafClear; });
-  if (in_the_way || !inside(plan_.building().room(room), tip)) return std::nullopt;
+  if (in_the_way || !contains(plan_.building().room(room).boundary, tip)) return std::nullopt;
   return leaf;
 }
 

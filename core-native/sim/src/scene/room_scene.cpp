@@ -3,58 +3,31 @@
 #include <algorithm>
 #include <cmath>
 
+#include "echoway/building/opening.hpp"
 #include "scene/furniture.hpp"
 
 namespace echoway::sim {
 namespace {
 
-constexpr double kDoorOffWall = 0.25;          // A door may be drawn this far off its wall, metres.
-constexpr double kParallel = 0.2;              // Sine of the angle up to which a wall belongs to a doorway.
 constexpr double kShortest = 0.01;             // Shorter pieces of wall are dropped, metres.
 constexpr double kJoint = 0.03;                // Panels meet when they come this close, metres.
 constexpr double kCasingWall = 0.3;            // Wall beside a casing that serves its corner, metres.
 constexpr double kRightAngle = 0.05;           // Cosine of the angle up to which a joint still returns sound.
 
-// What is left of a wall when its door openings are cut out.
-std::vector<Segment> cut_openings(const Segment& wall, const std::vector<Doorway>& doorways) {
-  const double length = wall.length();
-  if (!(length > 0.0)) return {};
-  const Vec2 along = (1.0 / length) * wall.direction();
-  std::vector<std::pair<double, double>> pieces{{0.0, length}};
-  for (const Doorway& doorway : doorways) {
-    const Vec2 to_door = doorway.centre - wall.a;
-    if (std::abs(cross(along, to_door)) > kDoorOffWall || std::abs(cross(along, doorway.along)) > kParallel) continue;
-    const double middle = dot(along, to_door);
-    const double from = middle - 0.5 * doorway.width;
-    const double to = middle + 0.5 * doorway.width;
-    std::vector<std::pair<double, double>> left;
-    for (const auto& [low, high] : pieces) {
-      if (std::min(high, from) - low > kShortest) left.emplace_back(low, std::min(high, from));
-      if (high - std::max(low, to) > kShortest) left.emplace_back(std::max(low, to), high);
-    }
-    pieces = std::move(left);
-  }
-  std::vector<Segment> segments;
-  for (const auto& [low, high] : pieces) segments.push_back({wall.a + low * along, wall.a + high * along});
-  return segments;
-}
-
 // The sides of a passage through a wall that is drawn with its thickness: this room's half of them.
 void add_reveals(const Doorway& doorway, double reflectivity, RoomScene& scene) {
-  const Vec2 outward = doorway.middle - doorway.centre;
+  const Vec2 outward = doorway.middle() - doorway.centre();
   if (norm(outward) < kShortest || dot(outward, doorway.inward) > 0.0) return;
-  const Segment opening = doorway.opening();
-  for (const Vec2 jamb : {opening.a, opening.b}) scene.panels.push_back({{jamb, jamb + outward}, reflectivity});
+  for (const Vec2 jamb : {doorway.opening.a, doorway.opening.b}) scene.panels.push_back({{jamb, jamb + outward}, reflectivity});
 }
 
 // A casing is nailed around the frame and stands out from the wall: with the wall it makes a shallow corner.
 void add_casings(const Doorway& doorway, double reflectivity, Random& random, RoomScene& scene) {
   const double wide = random.uniform(0.05, 0.10);
   const double proud = random.uniform(0.01, 0.03);
-  const Segment opening = doorway.opening();
   for (const double side : {-1.0, 1.0}) {
-    const Vec2 away = side * doorway.along;
-    const Vec2 at = (side < 0.0 ? opening.a : opening.b) + wide * away;
+    const Vec2 away = side * doorway.along();
+    const Vec2 at = (side < 0.0 ? doorway.opening.a : doorway.opening.b) + wide * away;
     scene.corners.push_back({at, away, doorway.inward, kCasingWall, proud, reflectivity * reflectivity});
   }
 }
@@ -123,13 +96,14 @@ RoomScene build_room_scene(const Room& room, const std::vector<Doorway>& doorway
   Random of_doors = random.split();
   Random of_benches = random.split();
   Random of_furniture = random.split();
-  for (const Segment& wall : room.walls) {
+  std::vector<DoorOpening> openings;
+  for (const Doorway& doorway : doorways) openings.push_back({doorway.door, doorway.other, 0, doorway.opening});
+  for (const Segment& piece : walls_with_doors_open(room, openings)) {
+    if (piece.length() < kShortest) continue;
     const double reflectivity = std::clamp(world.reflectivity + of_walls.normal(0.0, 0.05), 0.2, 1.0);
     const bool rough = of_walls.uniform() < world.rough_walls;
-    for (const Segment& piece : cut_openings(wall, doorways)) {
-      scene.panels.push_back({piece, rough ? 0.6 * reflectivity : reflectivity});
-      if (rough) add_roughness(piece, of_walls, scene);
-    }
+    scene.panels.push_back({piece, rough ? 0.6 * reflectivity : reflectivity});
+    if (rough) add_roughness(piece, of_walls, scene);
   }
   for (const Doorway& doorway : doorways) {
     add_reveals(doorway, world.reflectivity, scene);

@@ -45,17 +45,16 @@ double crossing(Vec2 from, Vec2 along, double length, const Segment& segment) no
 
 // A shut door lies a little behind the wall's face; with the sides of its passage it makes shallow corners.
 void shut(const Doorway& doorway, const Pose2& frame, RoomScene& scene) {
-  const double depth = std::max(kSetBack, distance(doorway.middle, doorway.centre));
-  const Segment opening = doorway.opening();
+  const double depth = std::max(kSetBack, distance(doorway.middle(), doorway.centre()));
   const Vec2 back = -depth * doorway.inward;
   const Vec2 axis = unit_from_angle(frame.heading);
   const auto turned = [&](Vec2 v) { return Vec2{axis.x * v.x - axis.y * v.y, axis.y * v.x + axis.x * v.y}; };
-  const Segment leaf = moved(Segment{opening.a + back, opening.b + back}, frame);
-  const Vec2 along = turned(doorway.along);
+  const Segment leaf = moved(Segment{doorway.opening.a + back, doorway.opening.b + back}, frame);
+  const Vec2 along = turned(doorway.along());
   const Vec2 inward = turned(doorway.inward);
   scene.panels.push_back({leaf, kDoorReflectivity});
-  scene.corners.push_back({leaf.a, along, inward, doorway.width, depth, kDoorReflectivity});
-  scene.corners.push_back({leaf.b, -along, inward, doorway.width, depth, kDoorReflectivity});
+  scene.corners.push_back({leaf.a, along, inward, doorway.width(), depth, kDoorReflectivity});
+  scene.corners.push_back({leaf.b, -along, inward, doorway.width(), depth, kDoorReflectivity});
 }
 
 }  // namespace
@@ -68,7 +67,7 @@ void View::place(RoomIndex room, const Pose2& frame, const Entrance& entrance, i
   const std::vector<Doorway>& doorways = surroundings.doorways(room);
   for (std::size_t i = 0; i < doorways.size(); ++i) {
     const Doorway& doorway = doorways[i];
-    const Segment threshold = moved(doorway.threshold(), frame);
+    const Segment threshold = moved(doorway.threshold, frame);
     if (!surroundings.is_open(doorway.door)) {
       shut(doorway, frame, rooms_[self].scene);
       continue;

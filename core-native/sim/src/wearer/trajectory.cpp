@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "echoway/geometry/inclusion.hpp"
+
 namespace echoway::sim {
 namespace {
 
@@ -110,7 +112,7 @@ class Walker {
   }
   Result<RoomIndex> find(const Place& place) const {
     Result<RoomIndex> room = find(place.room);
-    if (room.ok() && !inside(plan_.building().room(*room), place.at)) {
+    if (room.ok() && !contains(plan_.building().room(*room).boundary, place.at)) {
       return Error{"the place is not inside room " + place.room};
     }
     return room;
