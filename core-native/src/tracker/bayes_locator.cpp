@@ -31,7 +31,8 @@ constexpr double kLongestInterval = 3.0;          // Seconds that are still walk
 constexpr double kTemperatureSigma = 0.006;       // ln of speed: 3.5 K, a thermometer against the body.
 constexpr double kPaceGain = 1.0 / 160.0;         // Per firing: ten seconds of walking.
 constexpr std::uint64_t kRecoveryWindow = 40;     // Firings that a recovery search looks back on.
-constexpr double kLogElsewhere = -5.0;            // Prior odds that a wearer whose echoes fit badly is somewhere else.
+constexpr std::uint64_t kBlindRecoveryWindow = 20;   // The same without a gyroscope: a wearer hardly turns meanwhile.
+constexpr double kLogElsewhere = -4.0;            // Prior odds that a tracker whose echoes fit badly is wrong.
 constexpr double kAcceptOdds = 4.0;
 constexpr double kRejectOdds = -4.0;
 constexpr std::uint64_t kRivalLife = 160;         // Firings that rivals get to prove themselves,
@@ -171,7 +172,7 @@ void BayesLocator::Core::describe_ignorance() {
 }
 
 Search::Tools BayesLocator::Core::tools() const {
-  return {model_, scene_, motion_, belt_, history_, log_scale_, std::max(log_scale_sigma_, 0.004), main_.empty() ? 0.0 : summary_.gyro_bias};
+  return {model_, scene_, motion_, belt_, history_, building_, log_scale_, std::max(log_scale_sigma_, 0.004), main_.empty() ? 0.0 : summary_.gyro_bias};
 }
 
 Shot BayesLocator::Core::aim(const Record& record) const {
@@ -208,6 +209,7 @@ void BayesLocator::Core::thin_out(Population& population) {
   const std::size_t cells = population.occupied_cells();
   std::size_t target = settled;
   if (cells > kSettledCells) target = std::max(settled, kParticlesPerCell * cells);
+  target = std::max(target, static_cast<std::size_t>(fit_.doubt() * static_cast<double>(settled)));
   target = std::min(target, population.capacity());
   if (effective > 0.5 * n && target >= population.size()) return;
   population.resample(target, random_);
@@ -263,7 +265,10 @@ void BayesLocator::Core::pursue_search() {
       domain.heading_sigma = kStartHeadingSigma;
       search_.start(domain, now - pass, now);
     } else if (!main_.empty() && rivals_.empty() && now >= no_search_before_ && now >= kRecoveryWindow && fit_.poor()) {
-      search_.start({}, now - kRecoveryWindow, now);
+      SearchDomain domain;
+      domain.near_room = estimate_.room;
+      domain.near_position = estimate_.pose.position;
+      search_.start(domain, now - (gyro_ ? kRecoveryWindow : kBlindRecoveryWindow), now);
     } else {
       return;
     }

@@ -34,7 +34,8 @@ EchoModel::EchoModel(const BeltConfig& belt, const EchoModelParameters& p) {
   ghost_density_ = p.ghost / span;
   for (std::size_t i = 0; i < kReachEntries; ++i) {
     const double d = (static_cast<double>(i) + 0.5) / kReachPerMetre;
-    const double in_range = logistic((belt.max_range_m - 0.15 - d) / 0.1);
+    const bool blanked = d < 0.8 * belt.min_range_m;
+    const double in_range = blanked ? 0.0 : logistic((belt.max_range_m - 0.15 - d) / 0.1);
     reach_[static_cast<std::size_t>(scene::ReflectorKind::wall)][i] = p.detect_wall * in_range * logistic((p.fade_range_m - d) / p.fade_softness_m);
     reach_[static_cast<std::size_t>(scene::ReflectorKind::corner)][i] = p.detect_corner * in_range * logistic((p.fade_range_m - d) / p.fade_softness_m);
     reach_[static_cast<std::size_t>(scene::ReflectorKind::mirrored_corner)][i] =
@@ -47,6 +48,7 @@ EchoModel::EchoModel(const BeltConfig& belt, const EchoModelParameters& p) {
                       p.arm / p.arm_length_m * fast_exp(-d / p.arm_length_m) + p.late / span;
   }
   quiet_ = 1.0 - p.clutter - p.arm - p.late - p.ghost;
+  deaf_ = p.deaf;
   noise_share_ = belt.range_noise;
   floor2_ = p.range_floor_m * p.range_floor_m;
   min_range_ = belt.min_range_m;

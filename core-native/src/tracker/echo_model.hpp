@@ -12,8 +12,9 @@ namespace echoway::tracker {
 /// the Polaroid 6500 and furnished rooms in general and are tuned to no particular set of walks; docs/tracker.md shows
 /// how flat the error is around them.
 struct EchoModelParameters {
-  double detect_wall = 0.92;          ///< A wall squarely in the beam answers, drop-outs included.
-  double detect_corner = 0.90;        ///< As strong as a wall (physics of Kuc and Siegel 1987).
+  double deaf = 0.08;                 ///< The whole firing goes unheard: soft walls, clothes, a sensor turned up or down.
+  double detect_wall = 0.96;          ///< Else a wall squarely in the beam answers.
+  double detect_corner = 0.95;        ///< As strong as a wall (physics of Kuc and Siegel 1987).
   double fade_range_m = 9.0;          ///< Far walls and corners answer less: half as often at this distance,
   double fade_softness_m = 1.5;       ///< with this logistic width.
   double detect_edge = 0.50;          ///< 37 dB weaker at 1 m: answers only near by ...
@@ -63,6 +64,7 @@ class EchoModel {
   }
 
   [[nodiscard]] double ghost_density() const noexcept { return ghost_density_; }
+  [[nodiscard]] double deaf() const noexcept { return deaf_; }
   /// Probability that nothing unmapped answers either.
   [[nodiscard]] double quiet() const noexcept { return quiet_; }
   [[nodiscard]] double variance(double range) const noexcept {
@@ -86,6 +88,7 @@ class EchoModel {
   double beam_scale_ = 0.0;
   double ghost_density_ = 0.0;
   double quiet_ = 1.0;
+  double deaf_ = 0.0;
   double noise_share_ = 0.0;
   double floor2_ = 0.0;
   double min_range_ = 0.0;

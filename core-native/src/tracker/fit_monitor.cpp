@@ -8,8 +8,10 @@ namespace echoway::tracker {
 namespace {
 
 constexpr double kShortMemory = 1.0 / 32.0;    // Per firing: two seconds.
+constexpr double kShortestMemory = 1.0 / 10.0;
 constexpr double kLongMemory = 1.0 / 320.0;
 constexpr double kShareMemory = 1.0 / 160.0;
+constexpr double kMostDoubt = 4.0;
 constexpr int kWarmUp = 24;
 constexpr double kPoorGain = 0.08;             // A right place gains 0.4 to 1.2 nats a firing over the reference.
 constexpr double kPoorShare = 0.25;            // Of the usual gain.
@@ -24,6 +26,7 @@ double reference_density(double echo_share, bool echo, double range) noexcept {
 
 void FitMonitor::observe(double log_density, bool echo, double range) noexcept {
   const double gain = std::clamp(log_density - fast_log(reference_density(echo_share_, echo, range)), -4.0, 4.0);
+  shortest_ += kShortestMemory * (gain - shortest_);
   short_ += kShortMemory * (gain - short_);
   long_ += kLongMemory * (gain - long_);
   echo_share_ += kShareMemory * ((echo ? 1.0 : 0.0) - echo_share_);
@@ -32,8 +35,13 @@ void FitMonitor::observe(double log_density, bool echo, double range) noexcept {
 }
 
 void FitMonitor::reset() noexcept {
-  short_ = long_ = 0.5;
+  shortest_ = short_ = long_ = 0.5;
   observed_ = 0;
+}
+
+double FitMonitor::doubt() const noexcept {
+  const double usual = std::max(0.4, long_);
+  return std::clamp(1.0 + 4.0 * (0.7 * usual - shortest_) / usual, 1.0, kMostDoubt);
 }
 
 bool FitMonitor::poor() const noexcept {

@@ -14,9 +14,12 @@ class FitMonitor {
   [[nodiscard]] double usual() const noexcept { return long_; }
   /// The echoes do not fit where we think the wearer is.
   [[nodiscard]] bool poor() const noexcept;
+  /// How many times more particles than usual the belief deserves: 1 when the last second fits, up to 4 when it does not.
+  [[nodiscard]] double doubt() const noexcept;
 
  private:
   double echo_share_ = 0.45;
+  double shortest_ = 0.5;
   double short_ = 0.5;
   double long_ = 0.5;
   int observed_ = 0;

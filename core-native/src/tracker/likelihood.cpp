@@ -57,7 +57,8 @@ double assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene::
   if (!shot.echo) {
     double survival = 1.0;
     for (int j = 0; j < expected.count; ++j) survival *= 1.0 - expected.echo[static_cast<std::size_t>(j)].chance;
-    return std::max(kSmallest, model.quiet() * (1.0 - shot.trust * (1.0 - survival)));
+    const double none = model.deaf() + (1.0 - model.deaf()) * model.quiet() * survival;
+    return shot.trust * none + (1.0 - shot.trust) * model.quiet();
   }
 
   std::array<Association, ExpectedEchoes::kMax> found;
@@ -81,10 +82,11 @@ double assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene::
     survival *= 1.0 - e.chance;
     if (e.range < shot.range) survival_at_range = survival;
   }
-  const double total = model.quiet() * explained + survival_at_range * model.unexplained(shot.range) + model.ghost_density();
+  const double heard = 1.0 - model.deaf();
+  const double total = heard * (model.quiet() * explained + survival_at_range * model.unexplained(shot.range)) + model.ghost_density();
   const double density = std::max(kSmallest, total);
 
-  const double scale = shot.trust * model.quiet() / density;
+  const double scale = shot.trust * heard * model.quiet() / density;
   double mean_gain = 0.0;
   for (std::size_t j = 0; j < count; ++j) mean_gain += scale * found[j].weight;
   if (mean_gain > kLeastShare) {

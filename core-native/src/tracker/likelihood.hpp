@@ -38,8 +38,8 @@ struct ExpectedEchoes {
 
 /// Density of the shot's reading given the particle, per metre for an echo and a plain probability for none, and the
 /// particle's Gaussian updated with it. Reflectors answer in order of distance, the nearest that does wins:
-///   p(z) = sum_j c_j prod_{i<j} (1 - c_i) N(z; d_j, S_j) + unmapped(z) prod_{d_i < z} (1 - c_i) + ghost,
-///   p(none) = quiet prod (1 - c_i).
+///   p(z) = (1 - deaf) [quiet sum_j c_j prod_{i<j} (1 - c_i) N(z; d_j, S_j) + unmapped(z) prod_{d_i < z} (1 - c_i)] + ghost,
+///   p(none) = deaf + (1 - deaf) quiet prod (1 - c_i).
 /// The update merges the association hypotheses into one Gaussian (probabilistic data association, Bar-Shalom and Fortmann
 /// 1988, section 6.4). Always finite and positive.
 [[nodiscard]] double assimilate(Particle& particle, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept;

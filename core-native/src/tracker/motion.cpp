@@ -74,9 +74,24 @@ void change_gait(Particle& p, double dt, const MotionParameters& m, double pace,
 }
 
 void turn_unaided(Particle& p, double dt, const MotionParameters& m, Random& random) noexcept {
-  if (random.uniform() < m.turn_change_rate * dt) {
-    const bool turning = random.uniform() < m.turning_share;
-    p.turn_rate = (turning ? m.turn_sigma : m.straight_sigma) * cheap_normal(random);
+  const double straight = 3.0 * m.straight_sigma;
+  const bool turning = std::abs(p.turn_rate) > straight;
+  const double begin = p.gait == Gait::walking ? m.turn_rate_walking : m.turn_rate_standing;
+  const double u = random.uniform();
+  const double dice = turning ? u / ((m.turn_end_rate + m.turn_change_rate) * dt) : u / (begin * dt);
+  if (dice < 1.0) {
+    const bool ends = turning && dice * (m.turn_end_rate + m.turn_change_rate) < m.turn_end_rate;
+    if (ends) {
+      p.turn_rate = m.straight_sigma * cheap_normal(random);
+    } else {
+      const double rate = random.uniform(m.turn_slow, m.turn_fast);
+      const bool left = turning ? p.turn_rate > 0.0 : random.uniform() < 0.5;
+      p.turn_rate = left ? rate : -rate;
+    }
+  } else if (turning) {
+    p.turn_rate += m.turn_drift * std::sqrt(dt) * cheap_normal(random);
+  } else if (random.uniform() < 2.0 * dt) {
+    p.turn_rate = m.straight_sigma * cheap_normal(random);   // Sway.
   }
   p.heading += p.turn_rate * dt + m.gyro_noise * std::sqrt(dt) * cheap_normal(random);
 }

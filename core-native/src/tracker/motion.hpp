@@ -22,10 +22,15 @@ struct MotionParameters {
   double gyro_bias_sigma = degrees(1.5); ///< rad/s, of an unknown phone.
   double gyro_bias_drift = degrees(0.05);///< rad/s per root second.
   double gyro_noise = degrees(0.8);      ///< rad per root second.
-  double turn_change_rate = 1.0;         ///< 1/s: without a gyroscope a turn begins or ends this often;
-  double turning_share = 0.35;           ///< this share of the changes begins one,
-  double turn_sigma = degrees(50.0);     ///< this fast (rad/s),
-  double straight_sigma = degrees(4.0);  ///< the others leave this much.
+  // Without a gyroscope. Rates in 1/s, speeds in rad/s.
+  double turn_rate_walking = 0.45;       ///< Turns begin so often while walking,
+  double turn_rate_standing = 0.70;      ///< so often while standing,
+  double turn_end_rate = 0.80;           ///< end so often,
+  double turn_change_rate = 0.60;        ///< and change their speed so often.
+  double turn_slow = degrees(15.0);      ///< Between so fast
+  double turn_fast = degrees(120.0);     ///< and so fast, either way.
+  double turn_drift = degrees(30.0);     ///< rad/s per root second, of a turn's speed.
+  double straight_sigma = degrees(4.0);  ///< What is left of turning on a straight way.
   double scale_sigma = 0.015;            ///< ln of the sound-speed scale at the start (9 K) ...
   double scale_drift = 2e-4;             ///< ... and per root second.
   double fastest = 2.2;                  ///< m/s.

@@ -9,6 +9,7 @@
 namespace echoway::tracker {
 namespace {
 
+constexpr double kBodyClearance = 0.12;   // Nobody's axis comes nearer to a wall, metres.
 constexpr double kNowhere = -1e300;
 
 bool less_likely_on_top(double a, double b) noexcept { return a > b; }
@@ -33,13 +34,12 @@ double replay(Particle& p, const Record& record, const Search::Tools& tools, boo
 
 Search::Search(const scene::Scene& scene, const Parameters& parameters) : parameters_(parameters) {
   survivors_.resize(parameters_.keep);
-  double area = 0.0;
   for (std::size_t r = 0; r < scene.room_count(); ++r) {
     const auto& room = scene.room(static_cast<RoomIndex>(r));
-    area += (room.high.x - room.low.x) * (room.high.y - room.low.y);
+    area_ += (room.high.x - room.low.x) * (room.high.y - room.low.y);
   }
   const double headings = kTwoPi / parameters_.heading_step;
-  spacing_ = std::max(parameters_.spacing, std::sqrt(area * headings / static_cast<double>(parameters_.most_candidates)));
+  spacing_ = std::max(parameters_.spacing, std::sqrt(area_ * headings / static_cast<double>(parameters_.most_candidates)));
 }
 
 void Search::start(const SearchDomain& domain, std::uint64_t begin, std::uint64_t end) noexcept {
@@ -73,7 +73,8 @@ bool Search::next_candidate(const scene::Scene& scene, Vec2& position, double& h
     while (row_ < rows_) {
       position = origin_ + Vec2{spacing_ * column_, spacing_ * row_};
       if (!floor_checked_) {
-        floor_checked_ = scene.room(room_).floor.contains(position);
+        const auto& floor = scene.room(room_).floor;
+        floor_checked_ = floor.contains(position) && floor.distance(position) > kBodyClearance;
         if (!floor_checked_) turn_ = turns_;
       }
       if (turn_ < turns_) {
@@ -171,12 +172,28 @@ bool Search::catch_up(const Tools& tools, std::size_t budget) noexcept {
     Survivor& s = survivors_[i];
     for (; s.next < tools.history.end(); ++s.next) s.log_likelihood += replay(s.particle, tools.history[s.next], tools, true);
   }
-  finish();
+  finish(tools);
   return true;
 }
 
-void Search::finish() noexcept {
+// A tracker that lost its hold is most often not far off; being carried elsewhere is rare.
+double Search::log_prior(const Particle& p, const Building& building) const noexcept {
+  if (domain_.near_room == kNoRoom) return 0.0;
+  constexpr double kNearSigma = 2.0;
+  constexpr double kNearShare = 0.97;
+  const Room& here = building.room(p.room);
+  const Room& near = building.room(domain_.near_room);
+  double nearness = 0.0;
+  if (here.level == near.level) {
+    const double d2 = squared_norm(here.frame.transform(p.position) - near.frame.transform(domain_.near_position));
+    nearness = area_ / (kTwoPi * kNearSigma * kNearSigma) * fast_exp(-0.5 * d2 / (kNearSigma * kNearSigma));
+  }
+  return fast_log(kNearShare * nearness + 1.0 - kNearShare);
+}
+
+void Search::finish(const Tools& tools) noexcept {
   phase_ = Phase::done;
+  for (std::size_t i = 0; i < count_; ++i) survivors_[i].log_likelihood += log_prior(survivors_[i].particle, tools.building);
   double best = kNowhere;
   for (std::size_t i = 0; i < count_; ++i) best = std::max(best, survivors_[i].log_likelihood);
   double sum = 0.0;

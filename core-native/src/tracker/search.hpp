@@ -14,6 +14,8 @@ struct SearchDomain {
   RoomIndex only_room = kNoRoom;              ///< kNoRoom: everywhere.
   std::optional<double> heading;              ///< In that room's frame; unset: all round.
   double heading_sigma = degrees(6.0);
+  RoomIndex near_room = kNoRoom;              ///< When set, places near this one are likelier than elsewhere.
+  Vec2 near_position{};                       ///< In that room's frame.
 };
 
 /// Looks for the wearer over a whole building: a grid of positions and headings is replayed through a window of recent
@@ -44,6 +46,7 @@ class Search {
     const MotionParameters& motion;
     const BeltConfig& belt;
     const History& history;
+    const Building& building;
     double log_scale;                    ///< What is known of the sound-speed scale.
     double log_scale_sigma;
     double gyro_bias;
@@ -70,10 +73,12 @@ class Search {
   [[nodiscard]] std::size_t try_candidate(const Tools& tools, Vec2 position, double heading) noexcept;
   void keep(const Survivor& survivor) noexcept;
   bool catch_up(const Tools& tools, std::size_t budget) noexcept;
-  void finish() noexcept;
+  void finish(const Tools& tools) noexcept;
+  [[nodiscard]] double log_prior(const Particle& particle, const Building& building) const noexcept;
 
   Parameters parameters_;
   double spacing_ = 0.0;
+  double area_ = 0.0;                    ///< Of the building's rooms, square metres.
   Phase phase_ = Phase::idle;
   SearchDomain domain_;
   std::uint64_t begin_ = 0;

@@ -12,7 +12,7 @@ struct BayesOptions {
   /// Particles while the wearer's place is known, with and without a gyroscope; docs/error-against-run-time.md shows what
   /// more or fewer buy. The tracker takes more by itself while the place is uncertain.
   int particles = 120;
-  int particles_without_gyroscope = 300;
+  int particles_without_gyroscope = 400;
 };
 
 /// The default method: a Rao-Blackwellised particle filter over room, position, heading, speed and sound-speed scale for
