@@ -29,14 +29,22 @@ constexpr std::size_t kParticlesPerCell = 14;     // While several places are po
 constexpr std::size_t kSettledCells = 10;         // A belief this narrow takes the tracking number of particles.
 constexpr double kLongestInterval = 3.0;          // Seconds that are still walked through; longer ones are a break.
 constexpr double kTemperatureSigma = 0.006;       // ln of speed: 3.5 K, a thermometer against the body.
+constexpr double kNewPlace = 0.25;                // Metres ...
+constexpr double kNewDirection = degrees(8.0);    // ... or a turn after which a sensor sees something else.
+constexpr double kLeastNovelty = 0.25;
+constexpr double kSurelyUnmapped = 0.6;
+constexpr double kSureEnough = 0.35;               // Metres.
+constexpr double kBeyondArms = 0.40;               // Metres.
 constexpr double kPaceGain = 1.0 / 160.0;         // Per firing: ten seconds of walking.
 constexpr std::uint64_t kRecoveryWindow = 40;     // Firings that a recovery search looks back on.
 constexpr std::uint64_t kBlindRecoveryWindow = 20;   // The same without a gyroscope: a wearer hardly turns meanwhile.
-constexpr double kLogElsewhere = -4.0;            // Prior odds that a tracker whose echoes fit badly is wrong.
-constexpr double kAcceptOdds = 4.0;
-constexpr double kRejectOdds = -4.0;
-constexpr std::uint64_t kRivalLife = 160;         // Firings that rivals get to prove themselves,
-constexpr std::uint64_t kSearchPause = 48;        // and until the next search after they failed.
+constexpr double kLogNearby = -3.0;               // Prior odds that a doubtful tracker is wrong by metres,
+constexpr double kLogElsewhere = -1.0;            // and that one that fits nowhere near is elsewhere.
+constexpr double kCoarseHandicap = 0.05;          // Nats a firing that the search's coarse particles lose against fine ones.
+constexpr double kLeastShare = 0.05;              // Alternatives that weigh less are not worth particles.
+constexpr double kLocalRadius = 3.0;              // Metres.
+constexpr double kLocalHeadingStep = degrees(8.0);
+constexpr std::uint64_t kSearchPause = 32;        // Firings between searches.
 
 }  // namespace
 
@@ -78,8 +86,11 @@ class BayesLocator::Core {
   [[nodiscard]] Shot aim(const Record& record) const;
   double update(Population& population, const Record& record, const HintIntegrator::GaitEvidence& gait);
   void thin_out(Population& population);
+  [[nodiscard]] std::span<const Spot> recall(const Shot& shot);
+  void remember(const Record& record);
+  [[nodiscard]] double novelty(int sensor, const Interval& interval);
   void pursue_search();
-  void judge_rivals(double log_main, double log_rivals);
+  void consider_alternatives();
   void conclude(double time_s);
 
   const Building& building_;
@@ -97,7 +108,19 @@ class BayesLocator::Core {
   History history_;
   HintIntegrator hints_;
   FitMonitor fit_;
+  EchoMemory memory_;
+  double unmapped_ = 0.0;           ///< Probability that the last echo came from nothing in the plan.
   std::array<Vec2, kMaxSensors> bearings_{};
+
+  struct Visit {
+    bool made = false;
+    double travelled = 0.0;
+    double turned = 0.0;
+  };
+  std::array<Visit, kMaxSensors> visits_{};   ///< How far the wearer had come when each sensor last fired.
+  double travelled_ = 0.0;
+  double turned_ = 0.0;
+  double last_heading_ = 0.0;
 
   bool clock_set_ = false;
   double last_time_ = 0.0;
@@ -106,8 +129,7 @@ class BayesLocator::Core {
   double pace_ = 0.55;              ///< Usual walking speed, learnt.
   double log_scale_ = 0.0;
   double log_scale_sigma_ = 0.0;
-  double rival_odds_ = 0.0;
-  std::uint64_t rivals_until_ = 0;
+  bool local_failed_ = false;
   std::uint64_t no_search_before_ = 0;
 };
 
@@ -188,16 +210,52 @@ Shot BayesLocator::Core::aim(const Record& record) const {
 
 // Predicts, weighs and corrects every particle; returns the log density of the reading.
 double BayesLocator::Core::update(Population& population, const Record& record, const HintIntegrator::GaitEvidence& gait) {
-  const Shot shot = aim(record);
+  Shot shot = aim(record);
+  const bool tracked = &population == &main_ && record.echo && estimate_.state == TrackState::tracking;
+  if (tracked) shot.spots = recall(shot);
+  double heard_mapped = 0.0;
   double before = 0.0;
   for (Particle& p : population.particles()) {
     advance(p, record.interval, motion_, pace_, random_);
     p.weight *= p.gait == Gait::walking ? gait.walking : gait.standing;
     before += p.weight;
-    if (record.trust > 0.0) p.weight *= assimilate(p, shot, model_, scene_);
+    if (record.trust > 0.0) {
+      const Outcome outcome = assimilate(p, shot, model_, scene_);
+      heard_mapped += p.weight * outcome.mapped;
+      p.weight *= record.novelty < 1.0 ? fast_exp(record.novelty * fast_log(outcome.density)) : outcome.density;
+    }
     p.weight *= settle_on_floor(p, scene_);
   }
+  unmapped_ = tracked && before > 0.0 ? 1.0 - heard_mapped / before : 0.0;
   return fast_log(population.normalize()) - fast_log(before);
+}
+
+// Furniture, soft walls and people make a resting sensor repeat its error. Only a sensor that has been moved or turned
+// since it last fired tells something new.
+double BayesLocator::Core::novelty(int sensor, const Interval& interval) {
+  travelled_ += std::abs(estimate_.speed_mps) * interval.seconds;
+  turned_ += interval.turn_known ? std::abs(interval.turn) : std::abs(wrap_angle(estimate_.pose.heading - last_heading_));
+  last_heading_ = estimate_.pose.heading;
+  Visit& visit = visits_[static_cast<std::size_t>(sensor)];
+  const double moved = (travelled_ - visit.travelled) / kNewPlace + (turned_ - visit.turned) / kNewDirection;
+  const bool first = !visit.made;
+  visit = {true, travelled_, turned_};
+  return first || main_.empty() ? 1.0 : std::clamp(moved, kLeastNovelty, 1.0);
+}
+
+std::span<const Spot> BayesLocator::Core::recall(const Shot& shot) {
+  const Vec2 axis = unit_from_angle(estimate_.pose.heading + shot.bearing_rad);
+  return memory_.recall(estimate_.room, estimate_.pose.position + shot.radius * axis, axis, shot.range * estimate_.sound_speed_scale);
+}
+
+// What answered though the plan has nothing there is remembered where the wearer's place is well known.
+void BayesLocator::Core::remember(const Record& record) {
+  if (!record.echo || unmapped_ < kSurelyUnmapped || estimate_.state != TrackState::tracking) return;
+  if (estimate_.sigma_m > kSureEnough || record.range < kBeyondArms) return;
+  const Shot shot = aim(record);
+  const Vec2 axis = unit_from_angle(estimate_.pose.heading + shot.bearing_rad);
+  const double reach = shot.radius + record.range * estimate_.sound_speed_scale;
+  memory_.note(estimate_.room, estimate_.pose.position + reach * axis, unmapped_, estimate_.time_s);
 }
 
 void BayesLocator::Core::thin_out(Population& population) {
@@ -234,43 +292,46 @@ bool BayesLocator::Core::on_firing(const Firing& firing) {
   record.echo = firing.has_echo() && firing.range_m < belt_.max_range_m * 1.1;
   record.range = std::max(firing.range_m, 0.01);
   record.trust = health_.on_firing(firing.sensor, record.echo, record.range);
+  record.novelty = novelty(firing.sensor, record.interval);
   gyro_ = record.interval.turn_known;
   history_.push(record);
 
   const auto gait = hints_.take_gait_evidence(firing.time_s, record.interval.seconds);
-  double log_main = 0.0, log_rivals = 0.0;
   if (!main_.empty()) {
-    log_main = update(main_, record, gait);
+    const double log_main = update(main_, record, gait);
     history_.back().log_main = log_main;
     if (record.trust > 0.5) fit_.observe(log_main, record.echo, record.range);
   }
-  if (!rivals_.empty()) log_rivals = update(rivals_, record, gait);
   pursue_search();
-  if (!rivals_.empty()) judge_rivals(log_main, log_rivals);
   if (!main_.empty()) thin_out(main_);
-  if (!rivals_.empty()) thin_out(rivals_);
   conclude(firing.time_s);
+  remember(record);
   return true;
 }
 
-// Starts a search when nothing is known yet or the echoes stop fitting, and takes its result when it is done.
+// Searches when nothing is known yet, round about when the echoes fit less well than they used to, and the whole building
+// when they do not fit and nothing near does better.
 void BayesLocator::Core::pursue_search() {
   const std::uint64_t now = history_.end();
   if (!search_.running()) {
     const auto pass = static_cast<std::uint64_t>(std::clamp(belt_.sensors, 8, 24));
-    if (main_.empty() && now >= pass) {
+    if (main_.empty()) {
+      if (now < pass) return;
       SearchDomain domain;
       if (start_.room) domain.only_room = *start_.room;
       if (start_.room && start_.heading) domain.heading = *start_.heading;
       domain.heading_sigma = kStartHeadingSigma;
       search_.start(domain, now - pass, now);
-    } else if (!main_.empty() && rivals_.empty() && now >= no_search_before_ && now >= kRecoveryWindow && fit_.poor()) {
+    } else {
+      if (now < no_search_before_ || now < kRecoveryWindow || !fit_.doubtful()) return;
       SearchDomain domain;
       domain.near_room = estimate_.room;
       domain.near_position = estimate_.pose.position;
+      const bool everywhere = fit_.poor() && local_failed_;
+      if (!everywhere) domain.within = kLocalRadius;
+      if (!everywhere && gyro_) domain.near_heading = estimate_.pose.heading;
+      domain.heading_sigma = kLocalHeadingStep;
       search_.start(domain, now - (gyro_ ? kRecoveryWindow : kBlindRecoveryWindow), now);
-    } else {
-      return;
     }
   }
   if (!search_.work(tools())) return;
@@ -279,32 +340,33 @@ void BayesLocator::Core::pursue_search() {
     fit_.reset();
     return;
   }
+  consider_alternatives();
+}
+
+// Mixes what the search found into the belief, by the odds that it explains the same firings better.
+void BayesLocator::Core::consider_alternatives() {
+  const std::uint64_t now = history_.end();
   double log_main = 0.0;
   for (std::uint64_t n = search_.window_begin(); n < now; ++n) log_main += history_[n].log_main;
-  rival_odds_ = search_.log_evidence() - log_main + kLogElsewhere;
-  if (rival_odds_ < 2.0 * kRejectOdds) {
+  const double odds = search_.log_evidence() - log_main + kCoarseHandicap * static_cast<double>(now - search_.window_begin()) + (search_.is_local() ? kLogNearby : kLogElsewhere);
+  const double share = 1.0 / (1.0 + fast_exp(-odds));
+  no_search_before_ = now + kSearchPause;
+  local_failed_ = search_.is_local() && share < 0.5;
+  if (share < kLeastShare) {
     search_.stop();
-    no_search_before_ = now + kSearchPause;
     return;
   }
   search_.take(rivals_, random_, motion_);
-  rivals_until_ = now + kRivalLife;
-}
-
-void BayesLocator::Core::judge_rivals(double log_main, double log_rivals) {
-  rival_odds_ += log_rivals - log_main;
-  const std::uint64_t now = history_.end();
-  const bool tried = now + kRivalLife >= rivals_until_ + 8;
-  if (tried && rival_odds_ > kAcceptOdds) {
-    main_.clear();
-    for (const Particle& p : rivals_.particles()) main_.push(p);
-    rivals_.clear();
-    fit_.reset();
-    no_search_before_ = now + kSearchPause;
-  } else if (rival_odds_ < kRejectOdds || now >= rivals_until_) {
-    rivals_.clear();
-    no_search_before_ = now + kSearchPause;
+  if (main_.size() + rivals_.size() > main_.capacity()) main_.resample(main_.capacity() - rivals_.size(), random_);
+  for (Particle& p : main_.particles()) p.weight *= 1.0 - share;
+  for (Particle& p : rivals_.particles()) {
+    p.weight *= share;
+    main_.push(p);
   }
+  rivals_.clear();
+  if (share < 0.5) return;
+  memory_.clear();
+  fit_.reset();
 }
 
 void BayesLocator::Core::on_temperature(double celsius) {

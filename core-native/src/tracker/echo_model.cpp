@@ -16,8 +16,9 @@ constexpr double kLeastEdgeChance = 0.01;   // An edge that answers less often t
 }  // namespace
 
 EchoModel::EchoModel(const BeltConfig& belt, const EchoModelParameters& p) {
-  const double half = 0.5 * std::clamp(belt.beam_rad, degrees(2.0), degrees(120.0));
-  const double fine_width = p.beam_softness * half;
+  const double nominal = 0.5 * std::clamp(belt.beam_rad, degrees(2.0), degrees(120.0));
+  const double half = p.beam_reach * nominal;
+  const double fine_width = p.beam_softness * nominal;
   const double coarse_width = fine_width + p.coarse_softness_rad;
   const double cut_off = std::min(half + kLogisticTail * fine_width + 1.5 * p.coarse_softness_rad, degrees(85.0));
   half_beam_sine_ = std::sin(half);

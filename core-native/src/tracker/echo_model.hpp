@@ -23,7 +23,8 @@ struct EchoModelParameters {
   double detect_all_reflective = 0.70;
   double detect_mirrored = 0.55;      ///< Two bounces off a wall and a corner: weaker than the corner itself.
   double mirrored_range_m = 7.5;      ///< Half as often at this distance.
-  double beam_softness = 0.14;        ///< Logistic width of the beam's edge, as a share of the half-angle.
+  double beam_reach = 1.12;           ///< Half-angle at which half of the walls answer, over the nominal one,
+  double beam_softness = 0.18;        ///< and the logistic width of that edge, over the nominal one.
   double coarse_softness_rad = degrees(4.0);  ///< Added to it while headings are on a coarse grid.
   double range_floor_m = 0.012;       ///< Part of the range noise that does not grow with range: resolution, body sway.
   double clutter = 0.14;              ///< Something unmapped answers first ...

@@ -44,6 +44,10 @@ double FitMonitor::doubt() const noexcept {
   return std::clamp(1.0 + 4.0 * (0.7 * usual - shortest_) / usual, 1.0, kMostDoubt);
 }
 
+bool FitMonitor::doubtful() const noexcept {
+  return observed_ >= kWarmUp && short_ < std::max(0.35, 0.75 * long_);
+}
+
 bool FitMonitor::poor() const noexcept {
   return observed_ >= kWarmUp && short_ < std::max(kPoorGain, kPoorShare * long_);
 }

@@ -14,6 +14,8 @@ class FitMonitor {
   [[nodiscard]] double usual() const noexcept { return long_; }
   /// The echoes do not fit where we think the wearer is.
   [[nodiscard]] bool poor() const noexcept;
+  /// They fit less well than they used to.
+  [[nodiscard]] bool doubtful() const noexcept;
   /// How many times more particles than usual the belief deserves: 1 when the last second fits, up to 4 when it does not.
   [[nodiscard]] double doubt() const noexcept;
 

@@ -14,6 +14,7 @@ struct Record {
   bool echo = false;
   double range = 0.0;
   double trust = 1.0;
+  double novelty = 1.0;      ///< Share of the evidence that is new: a sensor that has not moved says the same again.
   double log_main = 0.0;     ///< Log density that the tracked hypothesis gave it.
 };
 

@@ -50,15 +50,35 @@ struct Association {
   Direction direction;
 };
 
+// Density of the shot's range from what was noted before in no plan.
+double remembered(const Particle& p, const Shot& shot, const EchoModel& model) noexcept {
+  constexpr double kSpotVariance = 0.12 * 0.12;
+  double density = 0.0;
+  for (const Spot& spot : shot.spots) {
+    if (spot.room != p.room) continue;
+    const Vec2 axis{p.facing.x * shot.bearing.x - p.facing.y * shot.bearing.y,
+                    p.facing.y * shot.bearing.x + p.facing.x * shot.bearing.y};
+    const Vec2 way = spot.at - (p.position + shot.radius * axis);
+    const double d = std::sqrt(squared_norm(way));
+    if (!(dot(way, axis) > 0.0)) continue;
+    const double beam = model.beam(std::abs(cross(axis, way)) / d, true);
+    if (beam <= 0.0) continue;
+    const double off = shot.range - d * (1.0 + p.log_scale);
+    const double variance = kSpotVariance + model.variance(d) + 0.5 * (p.cov.xx + p.cov.yy);
+    density += spot.strength * beam * kInvSqrtTwoPi / std::sqrt(variance) * fast_exp(-0.5 * off * off / variance);
+  }
+  return density;
+}
+
 }  // namespace
 
-double assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept {
+Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept {
   const ExpectedEchoes expected = expect(p, shot, model, scene);
   if (!shot.echo) {
     double survival = 1.0;
     for (int j = 0; j < expected.count; ++j) survival *= 1.0 - expected.echo[static_cast<std::size_t>(j)].chance;
     const double none = model.deaf() + (1.0 - model.deaf()) * model.quiet() * survival;
-    return shot.trust * none + (1.0 - shot.trust) * model.quiet();
+    return {shot.trust * none + (1.0 - shot.trust) * model.quiet(), 0.0};
   }
 
   std::array<Association, ExpectedEchoes::kMax> found;
@@ -83,7 +103,8 @@ double assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene::
     if (e.range < shot.range) survival_at_range = survival;
   }
   const double heard = 1.0 - model.deaf();
-  const double total = heard * (model.quiet() * explained + survival_at_range * model.unexplained(shot.range)) + model.ghost_density();
+  const double again = survival_at_range * remembered(p, shot, model);
+  const double total = heard * (model.quiet() * explained + survival_at_range * model.unexplained(shot.range) + again) + model.ghost_density();
   const double density = std::max(kSmallest, total);
 
   const double scale = shot.trust * heard * model.quiet() / density;
@@ -110,7 +131,7 @@ double assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene::
     add_outer(p.cov, shift, -1.0);
     move(p, shift, 1.0);
   }
-  return shot.trust * density + (1.0 - shot.trust) * model.unexplained(shot.range);
+  return {shot.trust * density + (1.0 - shot.trust) * model.unexplained(shot.range), mean_gain};
 }
 
 void observe_speed(Particle& p, double speed, double variance) noexcept {

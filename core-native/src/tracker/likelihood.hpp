@@ -1,7 +1,10 @@
 #pragma once
 
+#include <span>
+
 #include "echoway/belt/belt.hpp"
 #include "scene/scene.hpp"
+#include "tracker/echo_memory.hpp"
 #include "tracker/echo_model.hpp"
 #include "tracker/particle.hpp"
 
@@ -15,6 +18,7 @@ struct Shot {
   double range = 0.0;       ///< Metres; ignored without an echo.
   bool echo = false;
   bool coarse = false;      ///< Particles stand for cells of headings.
+  std::span<const Spot> spots{};  ///< Unmapped things that may have answered.
   double trust = 1.0;       ///< 0: the sensor says nothing, 1: believe the model.
 };
 
@@ -42,7 +46,11 @@ struct ExpectedEchoes {
 ///   p(none) = deaf + (1 - deaf) quiet prod (1 - c_i).
 /// The update merges the association hypotheses into one Gaussian (probabilistic data association, Bar-Shalom and Fortmann
 /// 1988, section 6.4). Always finite and positive.
-[[nodiscard]] double assimilate(Particle& particle, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept;
+struct Outcome {
+  double density = 0.0;
+  double mapped = 0.0;      ///< Probability that something in the plan answered.
+};
+[[nodiscard]] Outcome assimilate(Particle& particle, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept;
 
 /// Kalman update of speed alone with a reading of variance `variance`.
 void observe_speed(Particle& particle, double speed, double variance) noexcept;

@@ -26,8 +26,8 @@ double replay(Particle& p, const Record& record, const Search::Tools& tools, boo
   shot.echo = record.echo;
   shot.coarse = coarse;
   shot.trust = record.trust;
-  const double density = record.trust > 0.0 ? assimilate(p, shot, tools.model, tools.scene) : 1.0;
-  return fast_log(density * std::max(1e-9, settle_on_floor(p, tools.scene)));
+  const double density = record.trust > 0.0 ? assimilate(p, shot, tools.model, tools.scene).density : 1.0;
+  return record.novelty * fast_log(density) + fast_log(std::max(1e-9, settle_on_floor(p, tools.scene)));
 }
 
 }  // namespace
@@ -51,11 +51,15 @@ void Search::start(const SearchDomain& domain, std::uint64_t begin, std::uint64_
   columns_ = 0;
   tried_ = count_ = cursor_ = 0;
   best_.fill(kNowhere);
-  turns_ = domain.heading ? 5 : static_cast<int>(std::lround(kTwoPi / parameters_.heading_step));
+  turns_ = domain.heading || domain.near_heading ? 5 : static_cast<int>(std::lround(kTwoPi / parameters_.heading_step));
 }
 
-void Search::enter_room(const scene::Scene& scene) noexcept {
-  const auto& room = scene.room(room_);
+void Search::enter_room(const Tools& tools) noexcept {
+  const auto& room = tools.scene.room(room_);
+  centre_ = domain_.heading;
+  if (domain_.near_heading) {
+    centre_ = *domain_.near_heading + tools.building.room(domain_.near_room).frame.heading - tools.building.room(room_).frame.heading;
+  }
   const Vec2 size = room.high - room.low;
   columns_ = std::max(1, static_cast<int>(std::ceil(size.x / spacing_)));
   rows_ = std::max(1, static_cast<int>(std::ceil(size.y / spacing_)));
@@ -64,22 +68,43 @@ void Search::enter_room(const scene::Scene& scene) noexcept {
   floor_checked_ = false;
 }
 
-bool Search::next_candidate(const scene::Scene& scene, Vec2& position, double& heading) noexcept {
+// Whether any of the current room lies within the domain, by its bounding box.
+bool Search::reachable(const Tools& tools) const noexcept {
+  if (!domain_.within) return true;
+  const auto& room = tools.scene.room(room_);
+  const Room& here = tools.building.room(room_);
+  const Room& near = tools.building.room(domain_.near_room);
+  const Vec2 centre = here.frame.inverse_transform(near.frame.transform(domain_.near_position));
+  const Vec2 closest{std::clamp(centre.x, room.low.x, room.high.x), std::clamp(centre.y, room.low.y, room.high.y)};
+  return here.level == near.level && distance(centre, closest) <= *domain_.within;
+}
+
+bool Search::worth_trying(const Tools& tools, Vec2 position) const noexcept {
+  if (domain_.within) {
+    const Room& near = tools.building.room(domain_.near_room);
+    const Room& here = tools.building.room(room_);
+    if (distance(here.frame.transform(position), near.frame.transform(domain_.near_position)) > *domain_.within) return false;
+  }
+  const auto& floor = tools.scene.room(room_).floor;
+  return floor.contains(position) && floor.distance(position) > kBodyClearance;
+}
+
+bool Search::next_candidate(const Tools& tools, Vec2& position, double& heading) noexcept {
   for (;;) {
     if (columns_ == 0) {
-      if (room_ >= static_cast<RoomIndex>(scene.room_count())) return false;
-      enter_room(scene);
+      if (room_ >= static_cast<RoomIndex>(tools.scene.room_count())) return false;
+      enter_room(tools);
+      if (!reachable(tools)) row_ = rows_;
     }
     while (row_ < rows_) {
       position = origin_ + Vec2{spacing_ * column_, spacing_ * row_};
       if (!floor_checked_) {
-        const auto& floor = scene.room(room_).floor;
-        floor_checked_ = floor.contains(position) && floor.distance(position) > kBodyClearance;
+        floor_checked_ = worth_trying(tools, position);
         if (!floor_checked_) turn_ = turns_;
       }
       if (turn_ < turns_) {
-        heading = domain_.heading ? *domain_.heading + domain_.heading_sigma * (turn_ - 0.5 * (turns_ - 1))
-                                  : -kPi + parameters_.heading_step * (turn_ + 0.5);
+        heading = centre_ ? *centre_ + domain_.heading_sigma * (turn_ - 0.5 * (turns_ - 1))
+                          : -kPi + parameters_.heading_step * (turn_ + 0.5);
         ++turn_;
         return true;
       }
@@ -146,7 +171,7 @@ bool Search::work(const Tools& tools) noexcept {
   while (phase_ == Phase::sweeping && spent < parameters_.budget) {
     Vec2 position;
     double heading = 0.0;
-    if (!next_candidate(tools.scene, position, heading)) {
+    if (!next_candidate(tools, position, heading)) {
       phase_ = Phase::catching_up;
       cursor_ = 0;
       break;
@@ -178,9 +203,9 @@ bool Search::catch_up(const Tools& tools, std::size_t budget) noexcept {
 
 // A tracker that lost its hold is most often not far off; being carried elsewhere is rare.
 double Search::log_prior(const Particle& p, const Building& building) const noexcept {
-  if (domain_.near_room == kNoRoom) return 0.0;
+  if (domain_.near_room == kNoRoom || domain_.within) return 0.0;
   constexpr double kNearSigma = 2.0;
-  constexpr double kNearShare = 0.97;
+  constexpr double kNearShare = 0.9997;
   const Room& here = building.room(p.room);
   const Room& near = building.room(domain_.near_room);
   double nearness = 0.0;
@@ -210,7 +235,7 @@ void Search::take(Population& out, Random& random, const MotionParameters& motio
   if (out.empty()) return;
   out.normalize();
   out.resample(out.capacity(), random);
-  const double half_step = 0.5 * (domain_.heading ? domain_.heading_sigma : parameters_.heading_step);
+  const double half_step = 0.5 * (domain_.heading || domain_.near_heading ? domain_.heading_sigma : parameters_.heading_step);
   for (Particle& p : out.particles()) {
     p.heading = wrap_near(p.heading + random.uniform(-half_step, half_step));
     const SinCos f = fast_sincos(p.heading);

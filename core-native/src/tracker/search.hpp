@@ -16,6 +16,8 @@ struct SearchDomain {
   double heading_sigma = degrees(6.0);
   RoomIndex near_room = kNoRoom;              ///< When set, places near this one are likelier than elsewhere.
   Vec2 near_position{};                       ///< In that room's frame.
+  std::optional<double> within;               ///< Metres: look no farther from there, on the same level,
+  std::optional<double> near_heading;         ///< and, when set, only about this heading (that room's frame).
 };
 
 /// Looks for the wearer over a whole building: a grid of positions and headings is replayed through a window of recent
@@ -56,6 +58,7 @@ class Search {
 
   /// Puts the survivors into `out`, weighted; at most its capacity.
   void take(Population& out, Random& random, const MotionParameters& motion) noexcept;
+  [[nodiscard]] bool is_local() const noexcept { return domain_.within.has_value(); }
   /// Log of the mean likelihood of the window's firings (up to the present) over the whole domain.
   [[nodiscard]] double log_evidence() const noexcept { return log_evidence_; }
   [[nodiscard]] std::uint64_t window_begin() const noexcept { return begin_; }
@@ -68,8 +71,10 @@ class Search {
     std::uint64_t next = 0;              ///< First firing not yet replayed.
   };
 
-  [[nodiscard]] bool next_candidate(const scene::Scene& scene, Vec2& position, double& heading) noexcept;
-  void enter_room(const scene::Scene& scene) noexcept;
+  [[nodiscard]] bool next_candidate(const Tools& tools, Vec2& position, double& heading) noexcept;
+  void enter_room(const Tools& tools) noexcept;
+  [[nodiscard]] bool reachable(const Tools& tools) const noexcept;
+  [[nodiscard]] bool worth_trying(const Tools& tools, Vec2 position) const noexcept;
   [[nodiscard]] std::size_t try_candidate(const Tools& tools, Vec2 position, double heading) noexcept;
   void keep(const Survivor& survivor) noexcept;
   bool catch_up(const Tools& tools, std::size_t budget) noexcept;
@@ -88,6 +93,7 @@ class Search {
   int column_ = 0, row_ = 0, turn_ = 0;
   int columns_ = 0, rows_ = 0, turns_ = 0;
   bool floor_checked_ = false;
+  std::optional<double> centre_;         ///< Heading about which to look, in the current room's frame.
   Vec2 origin_{};
 
   static constexpr std::size_t kCheckpoints = 24;
