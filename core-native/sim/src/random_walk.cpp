@@ -7,9 +7,8 @@
 namespace echoway::sim {
 namespace {
 
-RoomIndex draw_start(const Building& building, const FloorPlan& plan, const std::string& wanted, Random& random) {
-  const RoomIndex named = building.find_room(wanted);
-  if (named != kNoRoom) return named;
+// Any room that has a place to stand.
+RoomIndex draw_room(const Building& building, const FloorPlan& plan, Random& random) {
   for (int attempt = 0; attempt < 100; ++attempt) {
     const auto room = static_cast<RoomIndex>(random.uniform() * static_cast<double>(building.rooms.size()));
     if (plan.grid(room).random_place(random)) return room;
@@ -39,7 +38,8 @@ Walk random_walk(const Building& building, const RandomWalkOptions& options, std
   if (building.rooms.empty()) return walk;
 
   const FloorPlan plan(building);
-  RoomIndex room = draw_start(building, plan, options.start_room, random);
+  const RoomIndex wanted = building.find_room(options.start_room);
+  RoomIndex room = wanted != kNoRoom ? wanted : draw_room(building, plan, random);
   Vec2 here = plan.grid(room).random_place(random).value_or(Vec2{});
   walk.start = {building.room(room).id, here};
   walk.start_heading = random.uniform(-kPi, kPi);
@@ -66,6 +66,12 @@ Walk random_walk(const Building& building, const RandomWalkOptions& options, std
       const double seconds = random.uniform(1.0, 6.0);
       walk.add(Pause{seconds});
       spent += seconds;
+    }
+    if (random.uniform() < options.cover_probability) walk.add(Cover{{}, random.uniform(30.0, 60.0)});
+    if (random.uniform() < options.teleport_probability) {
+      room = draw_room(building, plan, random);
+      here = plan.grid(room).random_place(random).value_or(here);
+      walk.add(Teleport{{building.room(room).id, here}, random.uniform(-kPi, kPi)});
     }
   }
   return walk;

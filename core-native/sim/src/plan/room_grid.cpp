@@ -8,6 +8,20 @@
 
 namespace echoway::sim {
 
+namespace {
+
+// Benches are drawn as closed outlines of all-reflective elements; nobody stands on one. Even-odd along +x.
+bool on_bench(const Room& room, Vec2 p) {
+  bool on = false;
+  for (const Segment& side : room.reflectors) {
+    if ((side.a.y > p.y) == (side.b.y > p.y)) continue;
+    if ((cross(side.direction(), p - side.a) > 0.0) == (side.b.y > side.a.y)) on = !on;
+  }
+  return on;
+}
+
+}  // namespace
+
 RoomGrid::RoomGrid(const Room& room) {
   Vec2 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   Vec2 high{-low.x, -low.y};
@@ -27,7 +41,7 @@ RoomGrid::RoomGrid(const Room& room) {
     double d = std::numeric_limits<double>::infinity();
     for (const Segment& wall : room.walls) d = std::min(d, distance(wall, p));
     for (const Segment& bench : room.reflectors) d = std::min(d, distance(bench, p));
-    clearance_[static_cast<std::size_t>(cell)] = contains(room.boundary, p) ? d : -d;
+    clearance_[static_cast<std::size_t>(cell)] = contains(room.boundary, p) && !on_bench(room, p) ? d : -d;
   }
 }
 

@@ -14,6 +14,8 @@ struct RandomWalkOptions {
   double pause_probability = 0.25;    ///< At each goal.
   double turn_probability = 0.3;      ///< At each goal, on the spot.
   double leave_probability = 0.6;     ///< That the next goal lies in another room.
+  double teleport_probability = 0.0;  ///< At each goal: carried blindfold to a room of the same building.
+  double cover_probability = 0.0;     ///< At each goal: all sensors covered for half a minute to a minute.
   std::string start_room{};           ///< Empty: any.
   Profile profile = Profile::furnished;
   bool random_world = true;           ///< Draw the nuisance parameters too; else the profile's own.
