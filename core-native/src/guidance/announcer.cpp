@@ -39,6 +39,20 @@ bool steers(CueKind kind) noexcept {
   return kind == CueKind::turn || kind == CueKind::bear || kind == CueKind::go_straight;
 }
 
+bool instructs(const Cue& cue) noexcept {
+  switch (cue.kind) {
+    case CueKind::stop:
+    case CueKind::uncertain:
+    case CueKind::probe_turn:
+    case CueKind::probe_step:
+    case CueKind::arrived:
+    case CueKind::take_link:
+      return true;
+    default:
+      return steers(cue.kind) || (cue.tail.present && steers(cue.tail.kind));
+  }
+}
+
 /// What a cue asks the wearer to do, its own or its tail's.
 struct Steering {
   bool present = false;
@@ -114,6 +128,10 @@ bool Announcer::offer(Cue cue, double now, bool asked) {
   free_at_ = now + spoken_seconds(cue, *config_);
   speaking_ = cue.urgency;
   said_[said_count_ % kMemory] = cue;
+  if (instructs(cue)) {
+    instruction_ = cue;
+    instructed_ = true;
+  }
   ++said_count_;
   if (size_ == kQueue) {  // Nobody fetches: the oldest line has long gone stale.
     head_ = (head_ + 1) % kQueue;
@@ -122,6 +140,15 @@ bool Announcer::offer(Cue cue, double now, bool asked) {
   queue_[(head_ + size_) % kQueue] = cue;
   ++size_;
   return true;
+}
+
+void Announcer::answer(double now) {
+  if (!again_ || !is_free(now)) return;
+  again_ = false;
+  if (!instructed_) return;
+  Cue cue = instruction_;
+  cue.urgency = std::min(cue.urgency, Urgency::asked);
+  (void)offer(cue, now, true);
 }
 
 bool Announcer::pop(Cue& cue) noexcept {

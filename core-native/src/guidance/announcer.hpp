@@ -26,6 +26,10 @@ class Announcer {
   /// Whether offer() would let it out.
   [[nodiscard]] bool would_speak(const Cue& cue, double now, bool asked = false) const noexcept;
 
+  /// The wearer wants the last instruction again; answer() says it as soon as the voice is free.
+  void ask_again() noexcept { again_ = true; }
+  void answer(double now);
+
   /// When the line that is being spoken ends.
   [[nodiscard]] double free_at() const noexcept { return free_at_; }
   [[nodiscard]] bool is_free(double now) const noexcept { return now >= free_at_; }
@@ -45,6 +49,9 @@ class Announcer {
   Urgency speaking_ = Urgency::colour;
   std::array<Cue, kMemory> said_{};
   std::size_t said_count_ = 0;
+  Cue instruction_{};               ///< The last line that told the wearer to do something.
+  bool instructed_ = false;
+  bool again_ = false;
   std::array<Cue, kQueue> queue_{};
   std::size_t head_ = 0;
   std::size_t size_ = 0;

@@ -26,6 +26,7 @@ void lay_out(const Route& route, const Building& building, std::vector<LinePoint
 
 Manoeuvre next_manoeuvre(std::span<const LinePoint> line, double least, double fuse) noexcept {
   constexpr double kPoint = 1e-6;
+  constexpr double kStraight = 0.03;  // bends smaller than this are none, radians
   double walked = 0.0;
   double in = 0.0;
   bool moving = false;
@@ -38,6 +39,7 @@ Manoeuvre next_manoeuvre(std::span<const LinePoint> line, double least, double f
     }
     std::size_t j = i;
     double within = 0.0;
+    double before = 0.0;
     double out = in;
     double angle = 0.0;
     // Take in further vertices while the legs between them are short and bend the same way.
@@ -45,11 +47,15 @@ Manoeuvre next_manoeuvre(std::span<const LinePoint> line, double least, double f
       const double next = distance(line[j].at, line[j + 1].at);
       const double heading = next > kPoint ? heading_of(line[j].at, line[j + 1].at) : out;
       const double bend = wrap_angle(heading - in);
-      const bool same_sense = angle == 0.0 || bend * angle >= 0.0;
-      if (j > i && !(same_sense && std::abs(bend) >= std::abs(angle) - 1e-9)) break;
+      if (j > i && !(bend * angle > 0.0 && std::abs(bend) > std::abs(angle) + kStraight)) {
+        within = before;
+        --j;
+        break;
+      }
       out = heading;
       angle = bend;
       if (!moving || j + 2 >= line.size() || next > fuse) break;
+      before = within;
       within += next;
       ++j;
     }
@@ -62,6 +68,15 @@ Manoeuvre next_manoeuvre(std::span<const LinePoint> line, double least, double f
     ++i;
   }
   return {};
+}
+
+Vec2 point_along(std::span<const LinePoint> line, double along) noexcept {
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const double leg = distance(line[i - 1].at, line[i].at);
+    if (along <= leg && leg > 0.0) return line[i - 1].at + (along / leg) * (line[i].at - line[i - 1].at);
+    along -= leg;
+  }
+  return line.back().at;
 }
 
 double length_of(std::span<const LinePoint> line) noexcept {

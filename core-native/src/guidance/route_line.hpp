@@ -33,4 +33,7 @@ struct Manoeuvre {
 
 [[nodiscard]] double length_of(std::span<const LinePoint> line) noexcept;
 
+/// The point `along` metres down the line, its end beyond. REQUIRES: line is not empty.
+[[nodiscard]] Vec2 point_along(std::span<const LinePoint> line, double along) noexcept;
+
 }  // namespace echoway::guidance

@@ -52,8 +52,8 @@ std::vector<Portal> portals_of(const Building& building, RoomIndex room, const F
 
 class Builder {
  public:
-  Builder(const Building& building, RoomIndex room, const FreeSpace& space, const ClearanceLadder& ladder)
-      : space_(space), ladder_(ladder), portals_(portals_of(building, room, space)) {
+  Builder(const Building& building, RoomIndex room, const FreeSpace& space, const RouterConfig& config)
+      : space_(space), ladder_(config.clearances), run_up_(config.door_run_up_m), portals_(portals_of(building, room, space)) {
     for (const auto* landmarks : {&building.exits, &building.places}) {
       for (const Landmark& l : *landmarks) {
         if (l.room == room) anchors_.push_back(l.at);
@@ -76,11 +76,14 @@ class Builder {
  private:
   [[nodiscard]] double radius(std::int8_t step) const { return ladder_[static_cast<std::size_t>(step)].radius; }
 
+  [[nodiscard]] bool fits(Vec2 p, double r) const { return space_.clearance(p, r) >= r - 1e-6 && space_.contains(p); }
+
   void add_portals(std::int8_t step) {
     const double r = radius(step);
     for (const Portal& portal : portals_) {
-      Vec2 p = portal.at + r * portal.inward;
-      if (portal.inward == Vec2{} || space_.clearance(p, r) < r - 1e-6 || !space_.contains(p)) {
+      Vec2 p = portal.at + std::max(r, run_up_) * portal.inward;
+      if (!fits(p, r)) p = portal.at + r * portal.inward;
+      if (portal.inward == Vec2{} || !fits(p, r)) {
         p = space_.settle(portal.at + 0.5 * r * portal.inward, r);
       }
       const bool last = step + 1 == kClearanceSteps;
@@ -95,7 +98,7 @@ class Builder {
     std::vector<Segment> outline(space_.solids().begin(), space_.solids().end());
     outline.insert(outline.end(), space_.doorways().begin(), space_.doorways().end());
     for (const TurningPoint& turn : turning_points(outline, r)) {
-      if (space_.clearance(turn.position, r) < r - 1e-6 || !space_.contains(turn.position)) continue;
+      if (!fits(turn.position, r)) continue;
       graph_.nodes.push_back({turn.position, step, PortalKind::none, -1, {}, turn.sides});
     }
   }
@@ -147,7 +150,8 @@ class Builder {
   }
 
   const FreeSpace& space_;
-  const ClearanceLadder& ladder_;
+  ClearanceLadder ladder_;
+  double run_up_;
   std::vector<Portal> portals_;
   std::vector<Vec2> anchors_;
   RoomGraph graph_;
@@ -157,8 +161,8 @@ class Builder {
 }  // namespace
 
 RoomGraph build_room_graph(const Building& building, RoomIndex room, const FreeSpace& space,
-                           const ClearanceLadder& ladder) {
-  return Builder(building, room, space, ladder).build();
+                           const RouterConfig& config) {
+  return Builder(building, room, space, config).build();
 }
 
 }  // namespace echoway::routing

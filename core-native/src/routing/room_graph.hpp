@@ -42,6 +42,6 @@ struct RoomGraph {
 /// Builds the graph with the widest clearance, and with the narrower ones too while its doors, stairs and `anchors`
 /// (places that people want to reach) do not all hang together.
 [[nodiscard]] RoomGraph build_room_graph(const Building& building, RoomIndex room, const FreeSpace& space,
-                                         const ClearanceLadder& ladder);
+                                         const RouterConfig& config);
 
 }  // namespace echoway::routing

@@ -31,7 +31,7 @@ void Router::add_rooms() {
   for (std::size_t r = 0; r < rooms; ++r) {
     const auto room = static_cast<RoomIndex>(r);
     spaces_.emplace_back(*building_, room);
-    const routing::RoomGraph graph = routing::build_room_graph(*building_, room, spaces_.back(), config_.clearances);
+    const routing::RoomGraph graph = routing::build_room_graph(*building_, room, spaces_.back(), config_);
     const auto first = static_cast<std::int32_t>(nodes_.size());
     for (const routing::RoomNode& n : graph.nodes) {
       if (n.portal != routing::PortalKind::none) leads.push_back({static_cast<std::int32_t>(nodes_.size()), n});

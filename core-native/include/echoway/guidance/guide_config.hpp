@@ -31,7 +31,7 @@ struct GuideConfig {
   double renew_s = 0.2;               ///< The way is looked at this often.
   double ahead_rad = degrees(20.0);   ///< A direction within this is "ahead".
   double fuse_m = 0.9;                ///< Turns this close together are one.
-  double arrive_m = 0.7;              ///< This near is there.
+  double arrive_m = 0.8;              ///< This near is there.
   double door_cue_m = 3.0;            ///< Doors on the way are told from this far.
   double off_route_m = 1.5;           ///< Further than this from the way: find another.
   double wrong_way_m = 1.5;           ///< Walked away from the goal by this much.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -22,6 +23,16 @@ struct SensorSuspicion {
   enum class Kind : std::uint8_t { silent, stuck, interference } kind = Kind::silent;
 };
 
+/// The wearer was told to take stairs or an elevator and stands at its end: for the next while echoes need not fit, and
+/// then they should fit where it leads.
+struct LevelTransition {
+  std::size_t link = 0;          ///< Index into Building::links.
+  RoomIndex from = kNoRoom;
+  RoomIndex to = kNoRoom;
+  double time_s = 0.0;           ///< When it was told.
+  double patience_s = 0.0;       ///< How long it may take.
+};
+
 /// Turns firings and motion hints, in order of time, into estimates. Implementations allocate nothing after start-up on
 /// the firing path, never throw, and give the same answer on every run.
 class Locator {
@@ -37,6 +48,8 @@ class Locator {
   virtual void on_motion(const MotionHint& hint) = 0;
   /// Air temperature as the belt's thermometer reports it.
   virtual void on_temperature(double celsius) = 0;
+  /// A hint, not a fact: the wearer may stay.
+  virtual void on_level_transition(const LevelTransition& /*transition*/) {}
 
   [[nodiscard]] virtual const Estimate& estimate() const = 0;
   /// Most probable first; at least one once estimate() has a room.

@@ -21,6 +21,7 @@ using ClearanceLadder = std::array<ClearanceStep, kClearanceSteps>;
 struct RouterConfig {
   /// Half the breadth of a clothed adult's shoulders is 0.25 m (ISO 7250, 95th percentile 0.50 m); the rest is sway.
   ClearanceLadder clearances{{{0.45, 1.0}, {0.35, 1.25}, {0.25, 1.6}}};
+  double door_run_up_m = 0.8;      ///< Straight towards a door's centre over this length where there is room for it.
   double stairs_cost_m = 12.0;     ///< Metres of level walking that a flight of stairs counts for.
   double elevator_cost_m = 25.0;   ///< The same for an elevator, waiting included.
   double avoided_cost_m = 10000.0; ///< Added per flight when stairs are to be avoided: taken only if nothing else leads there.

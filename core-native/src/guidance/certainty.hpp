@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+
+#include "echoway/guidance/guide_config.hpp"
+#include "echoway/locate/estimate.hpp"
+
+namespace echoway::guidance {
+
+/// How far an estimate may be trusted, with hysteresis.
+class Certainty {
+ public:
+  enum class Level : std::uint8_t { lost, vague, sure };
+
+  explicit Certainty(const GuideConfig& config) : config_(&config) {}
+
+  /// Takes a new estimate in. `suspended`: echoes need not fit now (stairs), so a loss is not counted.
+  void update(const Estimate& estimate, bool suspended) noexcept;
+
+  [[nodiscard]] Level level() const noexcept { return level_; }
+  /// Whether it has ever been sure of a place.
+  [[nodiscard]] bool was_sure() const noexcept { return was_sure_; }
+
+ private:
+  const GuideConfig* config_;
+  Level level_ = Level::lost;
+  bool was_sure_ = false;
+  bool started_ = false;
+  double changing_since_ = 0.0;  ///< Since when the estimate says something other than level_.
+};
+
+}  // namespace echoway::guidance

@@ -1,0 +1,431 @@
+#include "guidance/follower.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "guidance/surroundings.hpp"
+
+namespace echoway::guidance {
+namespace {
+
+/// Below this the wearer stands, metres a second.
+constexpr double kWalking = 0.25;
+/// The point to head for lies at most this far along the way, metres,
+constexpr double kLookAhead = 4.0;
+/// and what is nearer than this is at hand already.
+constexpr double kAtHand = 0.8;
+/// A wearer who is to go straight is put right first if they face this far off.
+constexpr double kFacingWell = degrees(9.0);
+/// Beside the middle of a doorway by this much still goes through, metres.
+constexpr double kDoorMiss = 0.18;
+
+double heading_of(Vec2 from, Vec2 to) { return std::atan2(to.y - from.y, to.x - from.x); }
+
+bool is_suffix(const std::vector<std::int32_t>& tail, const std::vector<std::int32_t>& whole) {
+  return tail.size() <= whole.size() && std::equal(tail.rbegin(), tail.rend(), whole.rbegin());
+}
+
+}  // namespace
+
+void Follower::lead_to(RouteTree tree) {
+  stop();
+  tree_ = std::move(tree);
+  mode_ = Mode::tree;
+}
+
+void Follower::lead_back(std::vector<Spot> crumbs) {
+  stop();
+  crumbs_ = std::move(crumbs);
+  mode_ = Mode::crumbs;
+}
+
+void Follower::stop() {
+  mode_ = Mode::none;
+  route_.clear();
+  line_.clear();
+  doors_.clear();
+  new_way_ = false;
+  straight_due_ = true;
+  least_cost_ = 1e300;
+  next_look_ = hold_until_ = last_said_ = -1e300;
+  told_door_ = told_link_ = -1;
+  told_narrow_ = false;
+  arrived_at_ = -1.0;
+  suspended_until_ = -1e300;
+  landing_ = kNoRoom;
+}
+
+std::optional<LevelTransition> Follower::take_transition() noexcept { return std::exchange(transition_, std::nullopt); }
+
+bool Follower::find_way(const Estimate& e) {
+  const Spot here{e.room, e.pose.position};
+  if (mode_ == Mode::tree) {
+    if (!router_->route_from(here, tree_, route_)) return false;
+  } else {
+    Result<Route> back = router_->retrace(here, crumbs_);
+    if (!back) return false;
+    route_ = std::move(*back);
+  }
+  lay_out(route_, router_->building(), line_);
+  new_doors_.clear();
+  for (const Waypoint& w : route_.waypoints) {
+    if (w.kind == WaypointKind::door || w.kind == WaypointKind::link_from) new_doors_.push_back(w.index);
+  }
+  // Doors passed drop off the front; a door just passed comes back for a moment when the room is in doubt.
+  const bool same = is_suffix(new_doors_, doors_) || (new_doors_.size() == doors_.size() + 1 && is_suffix(doors_, new_doors_));
+  if (!same && !doors_.empty()) {
+    new_way_ = true;
+    straight_due_ = true;
+    least_cost_ = route_.cost;
+  }
+  if (!same || is_suffix(new_doors_, doors_)) doors_ = new_doors_;
+  return true;
+}
+
+Follower::View Follower::look(const Estimate& e, bool vague) const {
+  View view;
+  view.estimate = &e;
+  view.now = e.time_s;
+  view.vague = vague;
+  view.speed = std::isfinite(e.speed_mps) ? std::clamp(e.speed_mps, 0.0, 2.0) : 0.0;
+  view.walking = view.speed > kWalking;
+  if (!view.walking) view.speed = 0.0;
+  view.remaining = walked_length(route_);
+  view.turn = next_manoeuvre(line_, config_->ahead_rad, config_->fuse_m);
+  aim(view);
+  return view;
+}
+
+/// True when the wearer can go straight to `at`, which lies before the first door of the line or just beyond it.
+bool Follower::in_reach(const Estimate& e, Vec2 at) const {
+  const FreeSpace& space = router_->space(e.room);
+  if (space.clear_between(e.pose.position, at, config_->body_m)) return true;
+  const auto door = std::find_if(line_.begin(), line_.end(), [](const LinePoint& p) { return p.kind == WaypointKind::door; });
+  if (door == line_.end()) return false;
+  for (const Passage& p : space.passages()) {
+    if (p.door != door->index || p.inward == Vec2{}) continue;
+    const double before = dot(e.pose.position - p.centre, p.inward);
+    const double behind = dot(at - p.centre, p.inward);
+    // Not too slantwise: the far jamb must not come near.
+    constexpr double kSlant = 0.7;  // cosine of 45 degrees
+    if (behind > 0.0 || before - behind < kSlant * distance(at, e.pose.position)) return false;
+    const Vec2 crossing = e.pose.position + (std::max(before, 0.0) / (before - behind)) * (at - e.pose.position);
+    const double half = 0.5 * router_->building().doors[static_cast<std::size_t>(p.door)].width;
+    return distance(crossing, p.centre) <= std::max(half - config_->body_m, 0.5 * kDoorMiss);
+  }
+  return false;
+}
+
+void Follower::aim(View& view) const {
+  const Estimate& e = *view.estimate;
+  const double lead = view.speed * (spoken_seconds(make_cue(CueKind::turn), *config_) + config_->reaction_s);
+  // Head for the next turn or the spot before the next door; when that is at hand, for a spot beyond it.
+  double door_along = 1e9;
+  double along = 0.0;
+  for (std::size_t i = 1; i < line_.size() && door_along > 1e8; ++i) {
+    along += distance(line_[i - 1].at, line_[i].at);
+    if (line_[i].kind == WaypointKind::door) door_along = along;
+  }
+  const double to_door = door_along - router_->config().door_run_up_m;
+  // A turn beyond a doorway is made well inside the room, one before it rather early than late.
+  const bool beyond_door = door_along < view.turn.distance;
+  view.at_turn = view.turn.present && view.walking && view.turn.distance <= lead + (beyond_door ? 0.0 : 0.2) &&
+                 (!beyond_door || lead >= door_along + 0.4);
+  double limit = std::max(length_of(line_), kAtHand);
+  if (view.turn.present) limit = std::min(limit, view.turn.distance > kAtHand ? view.turn.distance : view.turn.distance + 1.0);
+  if (door_along < 1e8) limit = std::min(limit, to_door > kAtHand ? to_door : door_along + 1.0);
+  view.target = point_along(line_, std::min(limit, 0.4));
+  for (const double share : {1.0, 0.75, 0.5, 0.3}) {
+    const Vec2 at = point_along(line_, std::min(share * limit, kLookAhead));
+    if (!in_reach(e, at)) continue;
+    view.target = at;
+    break;
+  }
+  view.target_away = distance(e.pose.position, view.target);
+  const bool doorway = to_door < kLookAhead;
+  const double clear = router_->space(e.room).clearance(view.target, 1.0);
+  view.room_to_miss = doorway ? kDoorMiss : std::clamp(clear - config_->body_m, kDoorMiss, 0.6);
+  const double heading = view.at_turn              ? view.turn.heading
+                         : view.target_away > 0.15 ? heading_of(e.pose.position, view.target)
+                                                   : e.pose.heading;
+  view.off = wrap_angle(heading - e.pose.heading);
+}
+
+void Follower::note_progress(const View& view) {
+  least_cost_ = std::min(least_cost_, route_.cost);
+  if (view.walking || was_walking_ != view.walking) still_since_ = view.now;
+  was_walking_ = view.walking;
+  if (told_door_ >= 0 && std::find(new_doors_.begin(), new_doors_.end(), told_door_) == new_doors_.end()) told_door_ = -1;
+}
+
+bool Follower::on_stairs(const Estimate& e) noexcept {
+  if (landing_ == kNoRoom) return false;
+  if (e.room == landing_ || e.time_s >= suspended_until_) {
+    landing_ = kNoRoom;
+    suspended_until_ = -1e300;
+    straight_due_ = true;
+    told_link_ = -1;
+    return false;
+  }
+  return true;
+}
+
+void Follower::update(const Estimate& e, bool vague, Announcer& voice) {
+  if (!active() || e.time_s < next_look_ || on_stairs(e)) return;
+  next_look_ = e.time_s + config_->renew_s;
+  if (!find_way(e)) {
+    if (e.time_s - last_said_ > 3.0 * config_->repeat_gap_s && voice.offer(make_cue(CueKind::no_way), e.time_s)) {
+      last_said_ = e.time_s;
+    }
+    return;
+  }
+  const View view = look(e, vague);
+  note_progress(view);
+  if (linger(view) || arrive(view, voice) || take_link(view, voice) || view.now < hold_until_) return;
+  if (halt(view, voice) || steer(view, voice) || go_on(view, voice)) return;
+  (void)tell_ahead(view, voice);
+}
+
+Cue Follower::goal_cue(CueKind kind) const {
+  Cue cue = make_cue(kind);
+  switch (route_.goal.kind) {
+    case Goal::Kind::place:
+      cue.landmark = {CueLandmark::Kind::place, route_.goal.index};
+      break;
+    case Goal::Kind::exit:
+    case Goal::Kind::nearest_exit:
+      cue.landmark = {CueLandmark::Kind::exit, route_.goal.index};
+      break;
+    case Goal::Kind::room:
+      cue.landmark = {CueLandmark::Kind::room, route_.goal.index};
+      break;
+    case Goal::Kind::spot:
+      break;
+  }
+  return cue;
+}
+
+bool Follower::arrive(const View& view, Announcer& voice) {
+  const Waypoint& goal = route_.waypoints.back();
+  const Estimate& e = *view.estimate;
+  if (goal.room != e.room) return false;
+  Cue cue = goal_cue(CueKind::arrived);
+  const double lead = view.speed * (spoken_seconds(cue, *config_) + config_->reaction_s);
+  // Said early only to somebody who walks straight up to it.
+  const bool approaching = view.walking && std::abs(view.off) <= config_->ahead_rad;
+  const double near = approaching ? std::clamp(lead - 0.3, config_->arrive_m, 1.6 * config_->arrive_m) : config_->arrive_m;
+  const bool beside = distance(goal.at, e.pose.position) <= near &&
+                      router_->space(e.room).clear_between(e.pose.position, goal.at, 0.1);
+  if (view.remaining > near && !beside) return false;
+  const auto point_at = [&](const std::vector<Landmark>& all) {
+    const Vec2 at = all[static_cast<std::size_t>(route_.goal.index)].at;
+    cue.has_direction = distance(at, e.pose.position) > 0.3;
+    cue.direction = direction_to(e.pose, at);
+  };
+  if (cue.landmark.kind == CueLandmark::Kind::place) point_at(router_->building().places);
+  if (cue.landmark.kind == CueLandmark::Kind::exit) point_at(router_->building().exits);
+  if (arrived_at_ < 0.0 && voice.offer(cue, view.now)) arrived_at_ = view.now;
+  return true;
+}
+
+/// After "arrived" the way is kept for a moment: a wearer who has not taken it in walks on and is led back.
+bool Follower::linger(const View& view) {
+  if (arrived_at_ < 0.0) return false;
+  constexpr double kSettle = 4.0;
+  if (view.now - arrived_at_ < kSettle) return true;
+  const bool there = view.remaining < 1.5 * config_->arrive_m;
+  if (there && !view.walking) stop();
+  if (there || (view.walking && view.remaining < 2.0 * config_->arrive_m)) return true;
+  arrived_at_ = -1.0;
+  straight_due_ = true;
+  return false;
+}
+
+bool Follower::take_link(const View& view, Announcer& voice) {
+  const LinePoint& end = line_.back();
+  if (end.kind != WaypointKind::link_from || length_of(line_) > config_->arrive_m + 0.5 * view.speed) return false;
+  const LevelLink& link = router_->building().links[static_cast<std::size_t>(end.index)];
+  const bool from_a = view.estimate->room == link.room_a;
+  const RoomIndex to = from_a ? link.room_b : link.room_a;
+  const bool stairs = link.kind == LevelLinkKind::stairs;
+  Cue cue = make_cue(CueKind::take_link);
+  cue.landmark = {CueLandmark::Kind::link, end.index};
+  cue.up = router_->building().room(to).level > router_->building().room(view.estimate->room).level;
+  cue.direction = direction_to(view.estimate->pose, end.at);
+  cue.has_direction = true;
+  if (!voice.offer(cue, view.now)) return true;
+  const double patience = stairs ? config_->stairs_patience_s : config_->elevator_patience_s;
+  landing_ = to;
+  suspended_until_ = view.now + patience;
+  transition_ = LevelTransition{static_cast<std::size_t>(end.index), view.estimate->room, to, view.now, patience};
+  return true;
+}
+
+void Follower::hold_after(const Cue& cue, double now) {
+  const double turning = cue.kind == CueKind::turn || cue.tail.present ? 0.6 + std::abs(cue.tail.present ? cue.tail.direction : cue.direction) / degrees(90.0) : 0.6;
+  hold_until_ = now + spoken_seconds(cue, *config_) + config_->reaction_s + turning;
+  last_said_ = now;
+}
+
+/// A wall in the walking direction, nearer than the wearer can be turned in: stop first.
+bool Follower::halt(const View& view, Announcer& voice) {
+  if (!view.walking || view.vague) return false;
+  const Pose2& pose = view.estimate->pose;
+  Cue cue = make_cue(CueKind::stop);
+  const double lead = view.speed * (spoken_seconds(cue, *config_) + config_->reaction_s + 0.2);
+  const double free = router_->space(view.estimate->room).reach(pose.position, unit_from_angle(pose.heading), 10.0);
+  if (free - config_->body_m > lead) return false;
+  // On the way to a spot before that wall, where the wearer was told to go.
+  if (std::abs(view.off) <= config_->ahead_rad && view.target_away < free - config_->body_m) return false;
+  if (sector_of(view.off) != Sector::ahead) cue.tail = {CueKind::turn, true, view.off, -1.0};
+  if (!voice.offer(cue, view.now)) {
+    cue.tail = {};
+    if (!voice.offer(cue, view.now)) return false;
+  }
+  straight_due_ = true;
+  hold_after(cue, view.now);
+  return true;
+}
+
+bool Follower::say_turn(const View& view, Announcer& voice) {
+  Cue cue = make_cue(CueKind::turn);
+  cue.direction = view.off;
+  cue.has_direction = true;
+  const bool astray = route_.cost > least_cost_ + config_->wrong_way_m + 2.0 * view.estimate->sigma_m;
+  if (new_way_ || (astray && std::abs(view.off) > degrees(100.0))) {
+    cue.tail = {CueKind::turn, true, view.off, -1.0};
+    cue.kind = new_way_ ? CueKind::rerouted : CueKind::wrong_way;
+    cue.has_direction = false;
+    cue.direction = 0.0;
+  }
+  if (!voice.would_speak(cue, view.now) && cue.kind == CueKind::turn) {
+    // The same words were said a moment ago and did not do, or are needed again: more words make them new. A walker is
+    // told how it goes on; whoever stands has to be put right first.
+    if (view.walking && view.at_turn) {
+      cue.tail = {CueKind::go_straight, true, 0.0, view.turn.run_out};
+    } else {
+      cue.tail = {CueKind::turn, true, view.off, -1.0};
+      cue.kind = CueKind::stop;
+      cue.urgency = Urgency::turn;
+      cue.has_direction = false;
+      cue.direction = 0.0;
+    }
+  }
+  if (!voice.offer(cue, view.now)) return false;
+  new_way_ = false;
+  least_cost_ = route_.cost;
+  straight_due_ = !(cue.tail.present && cue.tail.kind == CueKind::go_straight);
+  hold_after(cue, view.now);
+  return true;
+}
+
+bool Follower::steer(const View& view, Announcer& voice) {
+  const double off = std::abs(view.off);
+  if (view.vague && off <= degrees(45.0)) return false;
+  if (off > config_->ahead_rad && (!view.walking || view.at_turn || off > degrees(35.0))) return say_turn(view, voice);
+  if (!view.walking || view.vague || view.at_turn) return false;
+  // Walking a little off: only what would miss the next point by too much is worth a word.
+  const double noise = 2.0 * std::min(view.estimate->sigma_heading_rad, degrees(5.0));
+  const double miss = view.target_away * std::sin(std::min(off, kPi / 2));
+  if (off < degrees(6.0) + 0.5 * noise || miss < view.room_to_miss) return false;
+  if (off > degrees(22.0)) return say_turn(view, voice);
+  Cue cue = make_cue(CueKind::bear);
+  cue.direction = view.off;
+  cue.has_direction = true;
+  const double needed = view.speed * (spoken_seconds(cue, *config_) + config_->reaction_s);
+  if (view.target_away < needed || !voice.offer(cue, view.now)) return false;
+  hold_after(cue, view.now);
+  return true;
+}
+
+/// "Go straight", once a leg; again to a wearer who stands on a clear way for long.
+bool Follower::go_on(const View& view, Announcer& voice) {
+  const bool stands = !view.walking && view.now - std::max(still_since_, last_said_) > config_->nudge_s;
+  if (!(straight_due_ || stands) || std::abs(view.off) > config_->ahead_rad) return false;
+  Cue cue = make_cue(CueKind::go_straight);
+  const bool amend = !view.walking && !view.vague && !new_way_ && std::abs(view.off) > kFacingWell;
+  double along = view.turn.present ? view.turn.distance : length_of(line_);
+  if (view.at_turn) along += view.turn.run_out;
+  else if (view.turn.present && along < kAtHand) along = view.target_away;
+  if (view.walking && along < view.speed * (spoken_seconds(cue, *config_) + config_->reaction_s)) return false;
+  cue.distance_m = along;
+  cue.sigma_m = view.estimate->sigma_m;
+  if (new_way_) {
+    cue.kind = CueKind::rerouted;
+    cue.tail = {CueKind::go_straight, true, 0.0, cue.distance_m};
+    cue.distance_m = -1.0;
+  }
+  if (amend) {
+    cue.kind = CueKind::bear;
+    cue.direction = view.off;
+    cue.has_direction = true;
+    cue.tail = {CueKind::go_straight, true, 0.0, cue.distance_m};
+    cue.distance_m = -1.0;
+  }
+  if (!voice.offer(cue, view.now)) return false;
+  new_way_ = false;
+  straight_due_ = false;
+  hold_until_ = view.now + spoken_seconds(cue, *config_) + config_->reaction_s + (amend ? 0.8 : 0.4);
+  last_said_ = view.now;
+  return true;
+}
+
+bool Follower::tell_link(const View& view, std::int32_t index, double along, Vec2 at, Announcer& voice) {
+  if (told_link_ == index) return false;
+  const LevelLink& link = router_->building().links[static_cast<std::size_t>(index)];
+  const RoomIndex here = view.estimate->room;
+  const RoomIndex to = link.room_a == here ? link.room_b : link.room_a;
+  Cue cue = make_cue(link.kind == LevelLinkKind::stairs ? CueKind::stairs : CueKind::elevator);
+  cue.direction = direction_to(view.estimate->pose, at);
+  cue.has_direction = true;
+  cue.distance_m = along;
+  cue.sigma_m = view.estimate->sigma_m;
+  cue.landmark = {CueLandmark::Kind::link, index};
+  cue.up = router_->building().room(to).level > router_->building().room(here).level;
+  if (!voice.offer(cue, view.now)) return false;
+  told_link_ = index;
+  return true;
+}
+
+bool Follower::tell_ahead(const View& view, Announcer& voice) {
+  if (view.vague || !voice.is_free(view.now)) return false;
+  const Pose2& pose = view.estimate->pose;
+  if (route_.narrow(router_->config()) && !told_narrow_) {
+    Cue cue = make_cue(CueKind::narrow);
+    told_narrow_ = voice.offer(cue, view.now);
+    return told_narrow_;
+  }
+  double along = 0.0;
+  for (std::size_t i = 1; i < line_.size(); ++i) {
+    along += distance(line_[i - 1].at, line_[i].at);
+    if (along > config_->door_cue_m) return false;
+    if (line_[i].kind == WaypointKind::link_from) return tell_link(view, line_[i].index, along, line_[i].at, voice);
+    if (line_[i].kind != WaypointKind::door) continue;
+    Cue cue = make_cue(CueKind::door);
+    cue.distance_m = along;
+    cue.sigma_m = view.estimate->sigma_m;
+    cue.direction = direction_to(pose, line_[i].at);
+    cue.has_direction = true;
+    cue.landmark = {CueLandmark::Kind::door, line_[i].index};
+    const double needed = view.speed * (spoken_seconds(cue, *config_) + config_->reaction_s);
+    const double until = view.turn.present ? std::min(along, view.turn.distance) : along;
+    const double turn_lead = view.turn.present ? view.speed * 2.0 : 0.0;
+    if (told_door_ == line_[i].index || until < needed + turn_lead) return false;
+    if (!voice.offer(cue, view.now)) return false;
+    told_door_ = line_[i].index;
+    return true;
+  }
+  return false;
+}
+
+CueTail Follower::next_step(const Estimate& e) {
+  if (!active() || !find_way(e)) return {};
+  const View view = look(e, false);
+  straight_due_ = true;
+  new_way_ = false;
+  if (std::abs(view.off) <= config_->ahead_rad) return {};
+  hold_until_ = e.time_s + 3.0;
+  return {CueKind::turn, true, view.off, -1.0};
+}
+
+}  // namespace echoway::guidance

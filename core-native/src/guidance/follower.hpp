@@ -1,0 +1,99 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "echoway/guidance/cue.hpp"
+#include "echoway/guidance/guide_config.hpp"
+#include "echoway/locate/locator.hpp"
+#include "echoway/routing/router.hpp"
+#include "guidance/announcer.hpp"
+#include "guidance/route_line.hpp"
+
+namespace echoway::guidance {
+
+/// Leads a wearer whose position is known along a way that is laid out anew from wherever they are.
+class Follower {
+ public:
+  Follower(const Router& router, const GuideConfig& config) : router_(&router), config_(&config) {}
+
+  void lead_to(RouteTree tree);
+  void lead_back(std::vector<Spot> crumbs);
+  void stop();
+  [[nodiscard]] bool active() const noexcept { return mode_ != Mode::none; }
+  [[nodiscard]] const Route& route() const noexcept { return route_; }
+
+  /// Offers at most one line to `voice`. `vague`: only coarse instructions.
+  void update(const Estimate& estimate, bool vague, Announcer& voice);
+
+  /// What to do next from here, as the tail of another line.
+  [[nodiscard]] CueTail next_step(const Estimate& estimate);
+
+  /// Echoes need not fit until then: stairs or an elevator were taken.
+  [[nodiscard]] double suspended_until() const noexcept { return suspended_until_; }
+  [[nodiscard]] std::optional<LevelTransition> take_transition() noexcept;
+
+ private:
+  enum class Mode : std::uint8_t { none, tree, crumbs };
+
+  /// What the wearer's pose means for the way, worked out once an update.
+  struct View {
+    const Estimate* estimate = nullptr;
+    double now = 0.0;
+    bool vague = false;
+    bool walking = false;
+    double speed = 0.0;
+    double remaining = 0.0;     ///< Metres to the goal.
+    Manoeuvre turn{};
+    bool at_turn = false;       ///< A cue spoken now is acted upon where the turn is.
+    Vec2 target{};              ///< Where to head for now.
+    double target_away = 0.0;
+    double off = 0.0;           ///< Direction to go, from the chest.
+    double room_to_miss = 0.0;  ///< How far beside the target will do, metres.
+  };
+
+  [[nodiscard]] bool find_way(const Estimate& estimate);
+  [[nodiscard]] View look(const Estimate& estimate, bool vague) const;
+  [[nodiscard]] bool in_reach(const Estimate& estimate, Vec2 at) const;
+  void aim(View& view) const;
+  void note_progress(const View& view);
+  [[nodiscard]] bool on_stairs(const Estimate& estimate) noexcept;
+  [[nodiscard]] bool arrive(const View& view, Announcer& voice);
+  [[nodiscard]] bool linger(const View& view);
+  [[nodiscard]] bool take_link(const View& view, Announcer& voice);
+  [[nodiscard]] bool halt(const View& view, Announcer& voice);
+  [[nodiscard]] bool steer(const View& view, Announcer& voice);
+  [[nodiscard]] bool go_on(const View& view, Announcer& voice);
+  [[nodiscard]] bool tell_ahead(const View& view, Announcer& voice);
+  [[nodiscard]] bool tell_link(const View& view, std::int32_t link, double along, Vec2 at, Announcer& voice);
+  [[nodiscard]] bool say_turn(const View& view, Announcer& voice);
+  void hold_after(const Cue& cue, double now);
+  [[nodiscard]] Cue goal_cue(CueKind kind) const;
+
+  const Router* router_;
+  const GuideConfig* config_;
+  Mode mode_ = Mode::none;
+  RouteTree tree_;
+  std::vector<Spot> crumbs_;
+  Route route_;
+  std::vector<LinePoint> line_;
+  std::vector<std::int32_t> doors_;      ///< Of the way that was told, in order.
+  std::vector<std::int32_t> new_doors_;
+  bool new_way_ = false;                 ///< It leads through other doors than the wearer was told.
+  bool straight_due_ = true;             ///< "Go straight" has not been said on this leg.
+  double least_cost_ = 1e300;            ///< Nearest to the goal so far.
+  double next_look_ = -1e300;
+  double hold_until_ = -1e300;           ///< The last instruction is still being carried out.
+  double last_said_ = -1e300;
+  double still_since_ = -1e300;
+  bool was_walking_ = false;
+  std::int32_t told_door_ = -1;
+  std::int32_t told_link_ = -1;
+  bool told_narrow_ = false;
+  double arrived_at_ = -1.0;             ///< When "arrived" was said; negative before.
+  double suspended_until_ = -1e300;
+  RoomIndex landing_ = kNoRoom;
+  std::optional<LevelTransition> transition_;
+};
+
+}  // namespace echoway::guidance

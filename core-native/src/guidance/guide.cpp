@@ -1,0 +1,279 @@
+#include "echoway/guidance/guide.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "guidance/announcer.hpp"
+#include "guidance/certainty.hpp"
+#include "guidance/follower.hpp"
+#include "guidance/health_watch.hpp"
+#include "guidance/obstacle_watch.hpp"
+#include "guidance/probe.hpp"
+#include "guidance/surroundings.hpp"
+
+namespace echoway {
+
+using guidance::Certainty;
+
+namespace {
+
+constexpr double kCrumbSpacing = 1.5;      ///< Metres.
+constexpr std::size_t kCrumbs = 1024;
+constexpr double kPendingFor = 3.0;        ///< Seconds that a room entered is worth telling.
+constexpr double kAskedFor = 12.0;         ///< The same for an answer.
+constexpr double kFreeDoor = 1.8;          ///< Doors are told from here without a way, metres.
+
+}  // namespace
+
+struct Guide::Impl {
+  Impl(const Router& r, const GuideConfig& c)
+      : router(&r), config(c), voice(config), certainty(config), follower(r, config), obstacles(r, config) {
+    crumbs.reserve(kCrumbs);
+  }
+
+  Status lead_to(const Goal& goal, RoutePreferences preferences);
+  void answer_destination();
+  void handle_lost(std::span<const Hypothesis> places);
+  void handle_found();
+  void tell_obstacle();
+  void note_room();
+  void tell_pending();
+  void tell_free_door();
+  void drop_crumb();
+  [[nodiscard]] bool position_usable() const {
+    return estimate.room >= 0 && static_cast<std::size_t>(estimate.room) < router->building().rooms.size() &&
+           is_finite(estimate.pose);
+  }
+
+  const Router* router;
+  GuideConfig config;
+  guidance::Announcer voice;
+  Certainty certainty;
+  guidance::Follower follower;
+  guidance::ObstacleWatch obstacles;
+  guidance::HealthWatch health;
+  Estimate estimate{};
+  std::vector<Spot> crumbs;
+  bool was_lost = true;
+  bool told_lost = false;
+  double lost_since = -1.0;
+  double last_probe = -1e300;
+  RoomIndex room = kNoRoom;          ///< Told last.
+  bool room_pending = false;
+  double room_since = 0.0;
+  double obstacle_told = -1e300;
+  std::int32_t free_door = -1;
+  // Answers wait here for the voice, first to last.
+  std::array<Cue, 3> asked{};
+  std::size_t asked_count = 0;
+  std::size_t asked_next = 0;
+  double asked_at = 0.0;
+  bool where_asked = false;
+  bool destination_asked = false;
+  bool belt_lost = false;
+};
+
+Guide::Guide(const Router& router, const GuideConfig& config) : impl_(std::make_unique<Impl>(router, config)) {}
+Guide::Guide(Guide&&) noexcept = default;
+Guide& Guide::operator=(Guide&&) noexcept = default;
+Guide::~Guide() = default;
+
+Status Guide::Impl::lead_to(const Goal& goal, RoutePreferences preferences) {
+  Result<RouteTree> tree = router->tree_to(goal, preferences);
+  if (!tree) return tree.error();
+  follower.lead_to(std::move(*tree));
+  destination_asked = true;
+  return success();
+}
+
+Status Guide::set_destination(const Goal& goal, RoutePreferences preferences) { return impl_->lead_to(goal, preferences); }
+
+Status Guide::set_destination(std::string_view name, RoutePreferences preferences) {
+  const Result<Goal> goal = impl_->router->find_goal(name);
+  if (!goal) return goal.error();
+  return impl_->lead_to(*goal, preferences);
+}
+
+Status Guide::way_out(RoutePreferences preferences) {
+  return impl_->lead_to({Goal::Kind::nearest_exit, -1, {}}, preferences);
+}
+
+Status Guide::back_track() {
+  if (impl_->crumbs.empty()) return Error{"there is no way back yet: nothing has been walked"};
+  impl_->follower.lead_back(impl_->crumbs);
+  impl_->destination_asked = true;
+  return success();
+}
+
+void Guide::clear_destination() { impl_->follower.stop(); }
+void Guide::where_am_i() { impl_->where_asked = true; }
+void Guide::repeat() { impl_->voice.ask_again(); }
+
+bool Guide::next_cue(Cue& cue) { return impl_->voice.pop(cue); }
+std::optional<LevelTransition> Guide::take_level_transition() { return impl_->follower.take_transition(); }
+bool Guide::has_destination() const { return impl_->follower.active(); }
+const Route& Guide::route() const { return impl_->follower.route(); }
+std::span<const Spot> Guide::breadcrumbs() const { return impl_->crumbs; }
+
+void Guide::on_firing(const Firing& firing) {
+  if (impl_->certainty.level() == Certainty::Level::lost || !impl_->position_usable()) return;
+  impl_->obstacles.on_firing(firing, impl_->estimate);
+}
+
+void Guide::on_belt_health(const BeltHealth& health, double now_s) {
+  if (!std::isfinite(now_s)) return;
+  impl_->belt_lost = health.link == BeltLink::lost;
+  impl_->health.update(health, now_s, impl_->voice);
+}
+
+void Guide::on_estimate(const Estimate& estimate, std::span<const Hypothesis> hypotheses) {
+  Impl& g = *impl_;
+  if (!std::isfinite(estimate.time_s)) return;
+  g.estimate = estimate;
+  g.voice.answer(estimate.time_s);
+  Estimate judged = estimate;
+  if (!g.position_usable()) judged.state = TrackState::lost;
+  g.certainty.update(judged, judged.time_s < g.follower.suspended_until());
+  if (g.belt_lost) return;  // said already; nothing that is known now stays known
+  if (g.certainty.level() == Certainty::Level::lost) {
+    g.handle_lost(hypotheses);
+    return;
+  }
+  if (!g.position_usable()) return;
+  if (g.was_lost) g.handle_found();
+  g.drop_crumb();
+  g.note_room();
+  g.tell_obstacle();
+  g.follower.update(g.estimate, g.certainty.level() == Certainty::Level::vague, g.voice);
+  g.tell_pending();
+  if (!g.follower.active()) g.tell_free_door();
+}
+
+void Guide::Impl::handle_lost(std::span<const Hypothesis> places) {
+  const double now = estimate.time_s;
+  if (!was_lost || lost_since < 0.0) lost_since = now;
+  was_lost = true;
+  obstacles.clear();
+  // At the start the tracker is given a moment to find the wearer before anything is said.
+  constexpr double kStartPatience = 3.0;
+  if (!certainty.was_sure() && now - lost_since < kStartPatience && !where_asked) return;
+  if (!told_lost || where_asked) {
+    if (voice.offer(make_cue(CueKind::uncertain), now, where_asked)) {
+      told_lost = true;
+      where_asked = false;
+      last_probe = now;
+    }
+    return;
+  }
+  if (now - last_probe < config.probe_gap_s) return;
+  const guidance::Probe probe = guidance::choose_probe(*router, config.belt, places);
+  Cue cue = make_cue(probe.action == guidance::Probe::Action::turn ? CueKind::probe_turn : CueKind::probe_step);
+  cue.direction = probe.direction;
+  cue.has_direction = true;
+  if (voice.offer(cue, now)) last_probe = now;
+}
+
+void Guide::Impl::handle_found() {
+  const double now = estimate.time_s;
+  if (!told_lost) {
+    was_lost = false;
+    return;  // it was never said that the place is not known: note_room() names the room
+  }
+  Cue cue = guidance::room_cue(CueKind::found, estimate.room);
+  if (follower.active()) {
+    cue.tail = follower.next_step(estimate);
+  } else {
+    const Cue door = guidance::nearest_door(*router, estimate);
+    if (door.distance_m >= 0.0) cue.tail = {CueKind::door, true, door.direction, -1.0};
+  }
+  if (!voice.offer(cue, now, true)) return;
+  was_lost = told_lost = false;
+  room = estimate.room;
+  room_pending = false;
+}
+
+void Guide::Impl::note_room() {
+  constexpr double kClearlyInside = 0.7;
+  if (estimate.room == room || estimate.room_probability < kClearlyInside) return;
+  room = estimate.room;
+  room_pending = true;
+  room_since = estimate.time_s;
+}
+
+void Guide::Impl::tell_obstacle() {
+  const double now = estimate.time_s;
+  if (certainty.level() != Certainty::Level::sure || now - obstacle_told < config.repeat_gap_s) return;
+  const double reach = config.obstacle_m + std::max(0.0, estimate.speed_mps) * (config.reaction_s + 1.2);
+  const auto thing = obstacles.nearest(estimate, reach);
+  if (!thing.present) return;
+  Cue cue = make_cue(CueKind::obstacle);
+  cue.direction = thing.direction;
+  cue.has_direction = true;
+  cue.distance_m = thing.distance_m;
+  if (voice.offer(cue, now)) obstacle_told = now;
+}
+
+void Guide::Impl::answer_destination() {
+  if (!follower.active()) {
+    destination_asked = false;
+    return;
+  }
+  if (follower.route().waypoints.empty()) return;  // no way yet
+  Cue cue = make_cue(CueKind::destination);
+  cue.sigma_m = estimate.sigma_m;
+  cue.distance_m = walked_length(follower.route());
+  const Goal& goal = follower.route().goal;
+  const auto kind = goal.kind == Goal::Kind::place  ? CueLandmark::Kind::place
+                    : goal.kind == Goal::Kind::exit ? CueLandmark::Kind::exit
+                    : goal.kind == Goal::Kind::room ? CueLandmark::Kind::room
+                                                    : CueLandmark::Kind::none;
+  cue.landmark = {kind, goal.index};
+  if (kind == CueLandmark::Kind::none || voice.offer(cue, estimate.time_s, true)) destination_asked = false;
+}
+
+void Guide::Impl::tell_pending() {
+  const double now = estimate.time_s;
+  if (destination_asked) answer_destination();
+  if (where_asked) {
+    where_asked = false;
+    asked[0] = guidance::room_cue(CueKind::room_here, estimate.room);
+    asked[1] = guidance::facing(*router, estimate);
+    asked[2] = guidance::nearest_door(*router, estimate);
+    asked[2].urgency = Urgency::asked;
+    asked_count = asked[2].distance_m >= 0.0 ? 3 : 2;
+    asked_next = 0;
+    asked_at = now;
+  }
+  if (asked_next < asked_count) {
+    if (now - asked_at > kAskedFor) asked_next = asked_count;
+    else if (voice.is_free(now) && voice.offer(asked[asked_next], now, true)) ++asked_next;
+    return;
+  }
+  if (!room_pending) return;
+  const bool told = voice.offer(guidance::room_cue(CueKind::entering, room), now);
+  if (told || now - room_since > kPendingFor) room_pending = false;
+}
+
+void Guide::Impl::tell_free_door() {
+  if (certainty.level() != Certainty::Level::sure || estimate.speed_mps < 0.2) return;
+  Cue cue = guidance::nearest_door(*router, estimate);
+  const bool near = cue.distance_m >= 0.3 && cue.distance_m <= kFreeDoor && std::abs(cue.direction) <= degrees(110.0);
+  if (cue.distance_m > 2.0 * kFreeDoor) free_door = -1;
+  if (!near || cue.landmark.index == free_door) return;
+  if (voice.is_free(estimate.time_s) && voice.offer(cue, estimate.time_s)) free_door = cue.landmark.index;
+}
+
+void Guide::Impl::drop_crumb() {
+  if (certainty.level() != Certainty::Level::sure) return;
+  const Spot here{estimate.room, estimate.pose.position};
+  if (!crumbs.empty() && crumbs.back().room == here.room && distance(crumbs.back().at, here.at) < kCrumbSpacing) return;
+  if (crumbs.size() == kCrumbs) {  // a very long walk: every other crumb still shows the way
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < crumbs.size(); i += 2) crumbs[kept++] = crumbs[i];
+    crumbs.resize(kept);
+  }
+  crumbs.push_back(here);
+}
+
+}  // namespace echoway

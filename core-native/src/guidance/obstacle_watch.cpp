@@ -1,0 +1,57 @@
+#include "guidance/obstacle_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "guidance/echo_preview.hpp"
+
+namespace echoway::guidance {
+namespace {
+
+constexpr double kSector = degrees(36.0);  ///< Sensors that look this far off the chest matter to a walker.
+constexpr double kFurthest = 3.5;          ///< Echoes are followed from here, metres.
+constexpr double kNearest = 0.25;          ///< Nearer ones are the wearer's own hands.
+constexpr double kMargin = 0.35;           ///< So much nearer than anything mapped, metres, besides the position's error.
+constexpr double kSame = 0.5;              ///< Hits this close together are one thing, metres.
+constexpr double kMemory = 4.0;            ///< Seconds.
+constexpr double kCorridor = 0.45;         ///< Things further to the side than this are passed by, metres.
+
+}  // namespace
+
+void ObstacleWatch::on_firing(const Firing& firing, const Estimate& e) noexcept {
+  const BeltConfig& belt = config_->belt;
+  if (firing.sensor < 0 || firing.sensor >= belt.sensors || !firing.has_echo() || !std::isfinite(firing.range_m)) return;
+  const double bearing = wrap_angle(belt.bearing(firing.sensor));
+  if (std::abs(bearing) > kSector || firing.range_m < kNearest || firing.range_m > kFurthest) return;
+  if (e.room < 0 || static_cast<std::size_t>(e.room) >= router_->building().rooms.size() || !is_finite(e.pose)) return;
+  const FreeSpace& space = router_->space(e.room);
+  const double axis = e.pose.heading + bearing;
+  const Vec2 face = e.pose.position + belt.radius_m * unit_from_angle(axis);
+  const double blur = std::isfinite(e.sigma_heading_rad) ? std::min(e.sigma_heading_rad, degrees(20.0)) : degrees(20.0);
+  const double half = 0.5 * belt.beam_rad + degrees(4.0) + 2.0 * blur;
+  const double mapped = nearest_in_cone(space, face, axis, half, kFurthest + 2.0);
+  if (firing.range_m > mapped - kMargin - 2.0 * e.sigma_m) return;
+  const Vec2 at = face + firing.range_m * unit_from_angle(axis);
+  if (!space.contains(at)) return;  // seen through a door: another room's wall
+  hits_[count_++ % kHits] = {firing.time_s, e.room, at};
+}
+
+ObstacleWatch::Sighting ObstacleWatch::nearest(const Estimate& e, double reach) const noexcept {
+  Sighting best;
+  const std::size_t kept = std::min(count_, kHits);
+  const auto recent = [&](const Hit& h) { return h.room == e.room && e.time_s - h.time_s <= kMemory; };
+  for (std::size_t i = 0; i < kept; ++i) {
+    const Hit& hit = hits_[i];
+    if (!recent(hit)) continue;
+    int agree = 0;
+    for (std::size_t j = 0; j < kept; ++j) agree += recent(hits_[j]) && distance(hits_[j].at, hit.at) <= kSame ? 1 : 0;
+    if (agree < config_->obstacle_firings) continue;
+    const Vec2 local = e.pose.inverse_transform(hit.at);
+    const double away = std::max(0.0, norm(local) - config_->belt.radius_m);
+    if (local.x <= 0.0 || std::abs(local.y) > kCorridor || away > reach) continue;
+    if (!best.present || away < best.distance_m) best = {true, away, std::atan2(local.y, local.x)};
+  }
+  return best;
+}
+
+}  // namespace echoway::guidance

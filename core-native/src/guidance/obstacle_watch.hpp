@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "echoway/belt/belt.hpp"
+#include "echoway/guidance/guide_config.hpp"
+#include "echoway/locate/estimate.hpp"
+#include "echoway/routing/router.hpp"
+
+namespace echoway::guidance {
+
+/// Watches the sensors that look where the wearer walks for steady echoes of things that are in no plan.
+class ObstacleWatch {
+ public:
+  ObstacleWatch(const Router& router, const GuideConfig& config) : router_(&router), config_(&config) {}
+
+  /// Takes a firing in, at the pose that `estimate` gives for it.
+  void on_firing(const Firing& firing, const Estimate& estimate) noexcept;
+  void clear() noexcept { count_ = 0; }
+
+  struct Sighting {
+    bool present = false;
+    double distance_m = 0.0;  ///< From the wearer's chest.
+    double direction = 0.0;   ///< From the chest, radians.
+  };
+  /// The nearest thing ahead within `reach` that enough firings agree on.
+  [[nodiscard]] Sighting nearest(const Estimate& estimate, double reach) const noexcept;
+
+ private:
+  struct Hit {
+    double time_s = 0.0;
+    RoomIndex room = kNoRoom;
+    Vec2 at{};
+  };
+  static constexpr std::size_t kHits = 16;
+
+  const Router* router_;
+  const GuideConfig* config_;
+  std::array<Hit, kHits> hits_{};
+  std::size_t count_ = 0;  ///< Ever; hits_[count_ % kHits] is the oldest.
+};
+
+}  // namespace echoway::guidance

@@ -1,0 +1,281 @@
+#include "echoway/guidance/guide.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "support/plans.hpp"
+
+namespace echoway {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+constexpr double kSlot = 0.0624;
+
+Estimate at(double time_s, RoomIndex room, Vec2 position, double heading_deg) {
+  Estimate e;
+  e.time_s = time_s;
+  e.room = room;
+  e.pose = {position, degrees(heading_deg)};
+  e.sigma_m = 0.1;
+  e.sigma_heading_rad = degrees(3.0);
+  e.room_probability = 0.98;
+  e.state = TrackState::tracking;
+  return e;
+}
+
+Estimate lost(double time_s) {
+  Estimate e = at(time_s, 0, {1, 1}, 0.0);
+  e.state = TrackState::lost;
+  e.room_probability = 0.2;
+  e.sigma_m = 3.0;
+  return e;
+}
+
+std::vector<CueKind> kinds(const std::vector<Cue>& cues) {
+  std::vector<CueKind> result;
+  for (const Cue& cue : cues) result.push_back(cue.kind);
+  return result;
+}
+
+/// A guide and its clock.
+struct Listener {
+  explicit Listener(const Building& building) : router(building), guide(router) {}
+
+  std::vector<Cue> fetch() {
+    std::vector<Cue> cues;
+    Cue cue;
+    while (guide.next_cue(cue)) cues.push_back(cue);
+    return cues;
+  }
+  /// The same estimate for a while; what is said meanwhile.
+  std::vector<Cue> stay(double seconds, Estimate e, std::span<const Hypothesis> places = {}) {
+    for (const double end = now + seconds; now < end; now += kSlot) {
+      e.time_s = now;
+      guide.on_estimate(e, places);
+    }
+    return fetch();
+  }
+  std::vector<Cue> stand(double seconds, RoomIndex room, Vec2 position, double heading_deg) {
+    return stay(seconds, at(0, room, position, heading_deg));
+  }
+  /// Whole scans in which the front sensor hears `ranges` in turn and the others nothing.
+  std::vector<Cue> scan(std::initializer_list<double> ranges, const Estimate& pose) {
+    for (const double range : ranges) {
+      for (int sensor = 0; sensor < 15; ++sensor) {
+        guide.on_firing({now, sensor, sensor == 0 ? range : Firing::kNoEcho});
+        Estimate e = pose;
+        e.time_s = now;
+        guide.on_estimate(e);
+        now += kSlot;
+      }
+    }
+    return fetch();
+  }
+
+  Router router;
+  Guide guide;
+  double now = 0.0;
+};
+
+class GuideTest : public ::testing::Test {
+ protected:
+  Building building = [] {
+    Building b = test::make_grid(2, 2);
+    b.places.push_back({1, {4, 4}, "Lectern"});
+    b.rooms[0].name = "Lobby";
+    return b;
+  }();
+  Listener wearer{building};
+  Guide& guide = wearer.guide;
+};
+
+TEST_F(GuideTest, NamesTheRoomOnceAndThenIsSilent) {
+  EXPECT_THAT(kinds(wearer.stand(5.0, 0, {2, 2}, 0.0)), ElementsAre(CueKind::entering));
+  EXPECT_THAT(wearer.stand(60.0, 0, {2, 2}, 0.0), IsEmpty());
+}
+
+TEST_F(GuideTest, TurnsTheWearerThenSendsThemStraight) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  const auto first = wearer.stand(4.0, 0, {1, 2.5}, 90.0);
+  const auto turn = std::find_if(first.begin(), first.end(), [](const Cue& c) { return c.kind == CueKind::turn; });
+  ASSERT_NE(turn, first.end());
+  EXPECT_EQ(sector_of(turn->direction), Sector::right);
+  const auto then = wearer.stand(4.0, 0, {1, 2.5}, 0.0);
+  EXPECT_THAT(kinds(then), Contains(CueKind::go_straight));
+  EXPECT_THAT(kinds(then), Not(Contains(CueKind::turn)));
+}
+
+TEST_F(GuideTest, SaysArrivedAndWhereThePlaceIs) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  const auto cues = wearer.stand(3.0, 1, {3.5, 4.0}, 90.0);
+  const auto arrived = std::find_if(cues.begin(), cues.end(), [](const Cue& c) { return c.kind == CueKind::arrived; });
+  ASSERT_NE(arrived, cues.end());
+  EXPECT_EQ(sector_of(arrived->direction), Sector::right);
+  (void)wearer.stand(10.0, 1, {3.5, 4.0}, 90.0);
+  EXPECT_FALSE(guide.has_destination());
+}
+
+TEST_F(GuideTest, LostItSaysSoAndNothingElseUntilItIsFound) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
+  const auto cues = wearer.stay(30.0, lost(0));
+  ASSERT_FALSE(cues.empty());
+  EXPECT_EQ(cues.front().kind, CueKind::uncertain);
+  for (const Cue& cue : cues) EXPECT_EQ(urgency_of(cue.kind), Urgency::broken) << to_string(cue.kind);
+  const auto found = wearer.stand(3.0, 0, {1, 2.5}, 90.0);
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found.front().kind, CueKind::found);
+  EXPECT_EQ(found.front().tail.kind, CueKind::turn);
+}
+
+TEST_F(GuideTest, ABriefDoubtIsNotWorthAWord) {
+  (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
+  (void)wearer.stay(1.0, lost(0));
+  EXPECT_THAT(wearer.stand(5.0, 0, {1, 2.5}, 0.0), IsEmpty());
+}
+
+TEST_F(GuideTest, LostItAsksForAnActionThatTells) {
+  (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
+  const std::vector<Hypothesis> places = {{0, {{2, 2}, 0.1}, 0.2, 0.5}, {1, {{3, 2}, 0.4}, 0.2, 0.45}};
+  const auto cues = kinds(wearer.stay(15.0, lost(0), places));
+  EXPECT_TRUE(std::count(cues.begin(), cues.end(), CueKind::probe_turn) +
+              std::count(cues.begin(), cues.end(), CueKind::probe_step));
+}
+
+TEST_F(GuideTest, GivesNoPreciseInstructionWhenUnsure) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
+  Estimate unsure = at(0, 0, {1, 2.5}, 30.0);  // 30 degrees off: a fine correction
+  unsure.sigma_m = 1.0;
+  for (const Cue& cue : wearer.stay(20.0, unsure)) {
+    EXPECT_NE(cue.kind, CueKind::turn);
+    EXPECT_NE(cue.kind, CueKind::door);
+    EXPECT_TRUE(cue.distance_m < 0.0 || cue.sigma_m >= 0.75) << "a number would pretend to know";
+  }
+}
+
+TEST_F(GuideTest, AnswersWhereAmI) {
+  (void)wearer.stand(3.0, 0, {2.5, 4.0}, 0.0);
+  guide.where_am_i();
+  const auto cues = wearer.stand(10.0, 0, {2.5, 4.0}, 0.0);
+  ASSERT_THAT(kinds(cues), ElementsAre(CueKind::room_here, CueKind::facing, CueKind::door));
+  EXPECT_NEAR(cues[1].distance_m, 2.5, 0.1);
+  EXPECT_EQ(sector_of(cues[2].direction), Sector::left);
+}
+
+TEST_F(GuideTest, RepeatsTheLastInstructionWhenAsked) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  (void)wearer.stand(2.0, 0, {1, 2.5}, 90.0);
+  guide.repeat();
+  EXPECT_THAT(kinds(wearer.stand(3.0, 0, {1, 2.5}, 90.0)), Contains(CueKind::turn));
+}
+
+TEST_F(GuideTest, WarnsOfASteadyThingThatNoPlanKnows) {
+  (void)wearer.stand(3.0, 0, {1, 1.0}, 0.0);
+  const auto cues = wearer.scan({0.9, 0.9, 0.9, 0.9}, at(0, 0, {1, 1.0}, 0.0));
+  ASSERT_THAT(kinds(cues), ElementsAre(CueKind::obstacle));
+  EXPECT_NEAR(cues[0].distance_m, 0.9, 0.05);
+  EXPECT_EQ(sector_of(cues[0].direction), Sector::ahead);
+}
+
+TEST_F(GuideTest, IsNotAlarmedByWallsOrByASingleFalseEcho) {
+  (void)wearer.stand(3.0, 0, {1, 1.0}, 0.0);
+  EXPECT_THAT(wearer.scan({3.85, 3.85, 0.9, 3.85, 3.85, 3.85}, at(0, 0, {1, 1.0}, 0.0)), IsEmpty());
+}
+
+TEST_F(GuideTest, TellsOfTheBeltOnceEach) {
+  BeltHealth health;
+  health.sensor_count = 15;
+  const auto tell = [&](double now) { guide.on_belt_health(health, now); };
+  health.link = BeltLink::connected;
+  tell(0.0);
+  health.link = BeltLink::lost;
+  tell(5.0);
+  tell(6.0);
+  health.link = BeltLink::connected;
+  tell(9.0);
+  health.sensors[2].state = SensorState::silent;
+  tell(12.0);
+  tell(30.0);
+  health.has_battery = true;
+  health.battery_v = 3.2;
+  tell(40.0);
+  tell(60.0);
+  EXPECT_THAT(kinds(wearer.fetch()), ElementsAre(CueKind::belt_back, CueKind::belt_lost, CueKind::belt_back,
+                                                 CueKind::sensor_blocked, CueKind::battery_low));
+}
+
+TEST_F(GuideTest, LeadsBackTheWayTheWearerCame) {
+  (void)wearer.stand(2.0, 0, {1, 1}, 0.0);
+  (void)wearer.stand(1.0, 0, {2.5, 2.5}, 0.0);
+  (void)wearer.stand(1.0, 0, {4, 2.5}, 0.0);
+  (void)wearer.stand(1.0, 1, {1, 2.5}, 0.0);
+  ASSERT_TRUE(guide.back_track());
+  (void)wearer.stand(1.0, 1, {2.0, 2.5}, 0.0);
+  const Route& route = guide.route();
+  ASSERT_FALSE(route.waypoints.empty());
+  EXPECT_EQ(route.waypoints.back().room, 0);
+  EXPECT_NEAR(distance(route.waypoints.back().at, Vec2{1, 1}), 0.0, 1e-9);
+}
+
+TEST_F(GuideTest, SurvivesNonsense) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  guide.on_estimate(at(nan, 0, {1, 1}, 0));
+  Estimate e = at(1.0, 99, {nan, 1}, nan);
+  for (int i = 0; i < 200; ++i) {
+    e.time_s += 0.1;
+    e.room = i % 3 == 0 ? 0 : 99;
+    e.speed_mps = nan;
+    e.sigma_m = nan;
+    guide.on_estimate(e);
+    guide.on_firing({e.time_s, i % 20 - 2, nan});
+  }
+  guide.on_belt_health({}, nan);
+  for (const Cue& cue : wearer.fetch()) {
+    EXPECT_TRUE(std::isfinite(cue.direction));
+    EXPECT_TRUE(std::isfinite(cue.distance_m));
+  }
+}
+
+TEST(Guide, SendsTheWearerUpTheStairsAndTellsTheTracker) {
+  Building b;
+  b.rooms.push_back(test::make_box("1", 6, 4));
+  b.rooms.push_back(test::make_box("2", 6, 4));
+  b.rooms[1].level = 1;
+  b.links.push_back({LevelLinkKind::stairs, 0, {5, 2}, 1, {5, 2}});
+  b.places.push_back({1, {1, 2}, "Desk"});
+  Listener wearer(b);
+  ASSERT_TRUE(wearer.guide.set_destination("Desk"));
+  EXPECT_THAT(kinds(wearer.stand(5.0, 0, {2, 2}, 0.0)), Not(Contains(CueKind::take_link)));
+  const auto cues = wearer.stand(3.0, 0, {4.6, 2}, 0.0);
+  const auto take = std::find_if(cues.begin(), cues.end(), [](const Cue& c) { return c.kind == CueKind::take_link; });
+  ASSERT_NE(take, cues.end());
+  EXPECT_TRUE(take->up);
+  const auto transition = wearer.guide.take_level_transition();
+  ASSERT_TRUE(transition);
+  EXPECT_EQ(transition->to, 1);
+  EXPECT_FALSE(wearer.guide.take_level_transition());
+  // On the stairs echoes fit nowhere; that is no loss.
+  EXPECT_THAT(wearer.stay(10.0, lost(0)), IsEmpty());
+  EXPECT_THAT(kinds(wearer.stand(6.0, 1, {5, 2}, 180.0)), Contains(CueKind::go_straight));
+}
+
+TEST(Guide, SaysWhenNoWayLeadsThere) {
+  Building b = test::make_grid(2, 1);
+  b.doors.clear();
+  Listener wearer(b);
+  ASSERT_TRUE(wearer.guide.set_destination({Goal::Kind::spot, 0, {1, {2, 2}}}));
+  EXPECT_THAT(kinds(wearer.stand(5.0, 0, {2, 2}, 0.0)), Contains(CueKind::no_way));
+}
+
+}  // namespace
+}  // namespace echoway

@@ -1,0 +1,371 @@
+#include "support/blind_walk.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+
+#include "echoway/speech/speaker.hpp"
+
+namespace echoway::test {
+namespace {
+
+constexpr double kTick = 0.0624;        // a firing
+constexpr double kBody = 0.2;           // contact nearer than this, metres
+constexpr double kTurnRate = degrees(90.0);
+constexpr double kWrongReach = 0.5;     // an instruction towards a wall nearer than this is wrong, metres
+
+/// What a wearer understands by a sector.
+double nominal(double direction) {
+  switch (sector_of(direction)) {
+    case Sector::ahead:
+      return 0.0;
+    case Sector::slightly_left:
+      return degrees(30.0);
+    case Sector::slightly_right:
+      return degrees(-30.0);
+    case Sector::left:
+      return degrees(85.0);
+    case Sector::right:
+      return degrees(-85.0);
+    case Sector::sharp_left:
+      return degrees(140.0);
+    case Sector::sharp_right:
+      return degrees(-140.0);
+    case Sector::behind:
+      break;
+  }
+  return kPi;
+}
+
+/// What a wearer hears of a length: rounded to feet, as it is spoken.
+double told_length(double metres) { return 0.5 * spoken_length(metres, 0.1, {}).halves * kMetresPerFoot; }
+
+double line_seconds(const Cue& cue) {
+  // Listening, as the guide cannot know it: words of its own voice at its own speed.
+  int words = cue.kind == CueKind::uncertain ? 9 : 2;
+  if (cue.distance_m >= 0.0) words += 2;
+  if (cue.tail.present) words += 2;
+  return 0.2 + 0.36 * words;
+}
+
+/// The true world and a body in it.
+class Body {
+ public:
+  Body(const Router& router, const Spot& start, double heading) : router_(router), room_(start.room), pose_{start.at, heading} {}
+
+  [[nodiscard]] RoomIndex room() const { return room_; }
+  [[nodiscard]] const Pose2& pose() const { return pose_; }
+  void turn(double angle) { pose_.heading = wrap_angle(pose_.heading + angle); }
+  void set(RoomIndex room, const Pose2& pose) {
+    room_ = room;
+    pose_ = pose;
+  }
+
+  /// Free metres in a direction from the chest, through open doors into the next room.
+  [[nodiscard]] double reach(double direction) const {
+    return router_.space(room_).reach(pose_.position, unit_from_angle(pose_.heading + direction), 20.0);
+  }
+
+  /// Moves; false when a wall is met (then it stays).
+  bool move(double direction, double length) {
+    const Vec2 to = pose_.position + length * unit_from_angle(pose_.heading + direction);
+    const FreeSpace& space = router_.space(room_);
+    const double now = space.clearance(pose_.position);
+    const double then = space.clearance(to);
+    if (then < kBody && then < now) return false;
+    const Segment step{pose_.position, to};
+    for (const Passage& p : space.passages()) {
+      const Door& door = router_.building().doors[static_cast<std::size_t>(p.door)];
+      if (p.inward == Vec2{}) continue;
+      const Vec2 along = perpendicular(p.inward);
+      const Segment opening{p.centre - 0.5 * door.width * along, p.centre + 0.5 * door.width * along};
+      if (dot(to - p.centre, p.inward) >= 0.0 || !intersects(step, opening)) continue;
+      enter(p, door, to);
+      return true;
+    }
+    pose_.position = to;
+    return true;
+  }
+
+ private:
+  void enter(const Passage& p, const Door& door, Vec2 to) {
+    const RoomIndex next = door.room_a == room_ ? door.room_b : door.room_a;
+    const double turn = router_.building().room(room_).frame.heading - router_.building().room(next).frame.heading;
+    for (const Passage& q : router_.space(next).passages()) {
+      if (q.door != p.door) continue;
+      const Pose2 frame{q.centre, turn};
+      const Vec2 offset = frame.transform(to - p.centre);
+      pose_ = {offset, wrap_angle(pose_.heading + turn)};
+      break;
+    }
+    room_ = next;
+  }
+
+  const Router& router_;
+  RoomIndex room_;
+  Pose2 pose_;
+};
+
+class Wearer {
+ public:
+  Wearer(const Router& router, Body& body, const WearerModel& model, Random& random, WalkOutcome& outcome)
+      : router_(router), body_(body), model_(model), random_(random), outcome_(outcome) {
+    speed_ = random.uniform(model.speed_low, model.speed_high);
+    reaction_ = random.uniform(model.reaction_low, model.reaction_high);
+    stride_ = 1.0 + random.normal(0.0, model.step_error);
+  }
+
+  [[nodiscard]] bool done() const { return done_; }
+  [[nodiscard]] double speed() const { return walking_ && turn_left_ == 0.0 && now_ >= stairs_until_ ? speed_ : 0.0; }
+  /// Standing about without a word for long: a wearer asks for the last line again.
+  [[nodiscard]] bool asks() {
+    const bool busy = walking_ || turn_left_ != 0.0 || slow_turn_ > 0.0 || !todo_.empty() || away();
+    if (busy || now_ - last_heard_ < model_.patience) return false;
+    last_heard_ = now_;
+    return true;
+  }
+  [[nodiscard]] bool away() const { return now_ < stairs_until_; }
+
+  void hear(const Cue& cue, double now) {
+    last_heard_ = now;
+    const bool taken_in = random_.uniform() >= model_.ignore;
+    outcome_.cues.push_back({cue, false});
+    const std::size_t index = outcome_.cues.size() - 1;
+    // Anything that is heard now drops what was not yet acted upon.
+    if (!taken_in) return;
+    const double delay = line_seconds(cue) + reaction_;
+    if (cue.kind == CueKind::rerouted || cue.kind == CueKind::wrong_way || cue.kind == CueKind::stop) {
+      todo_.push_back({now + (cue.kind == CueKind::stop ? 0.3 + reaction_ : delay), cue.kind, 0.0, -1.0, index, cue.landmark});
+      if (cue.tail.present) todo_.push_back({now + delay, cue.tail.kind, cue.tail.direction, cue.tail.distance_m, index, {}});
+      return;
+    }
+    todo_.push_back({now + delay, cue.kind, cue.direction, cue.distance_m, index, cue.landmark});
+    if (cue.tail.present) todo_.push_back({now + delay + 0.1, cue.tail.kind, cue.tail.direction, cue.tail.distance_m, index, {}});
+  }
+
+  void live(double now) {
+    now_ = now;
+    if (away()) return;
+    if (pending_landing_) land();
+    while (!todo_.empty() && now >= todo_.front().at && turn_left_ == 0.0) {
+      const Act act = todo_.front();
+      todo_.pop_front();
+      do_it(act);
+    }
+    if (turn_left_ != 0.0) {
+      const double step = std::clamp(turn_left_, -kTurnRate * kTick, kTurnRate * kTick);
+      body_.turn(step);
+      turn_left_ = std::abs(turn_left_ - step) < 1e-9 ? 0.0 : turn_left_ - step;
+      return;
+    }
+    if (slow_turn_ > 0.0) {
+      body_.turn(slow_side_ * degrees(30.0) * kTick);
+      slow_turn_ -= degrees(30.0) * kTick;
+      return;
+    }
+    if (walking_) walk();
+  }
+
+ private:
+  struct Act {
+    double at;
+    CueKind kind;
+    double direction;
+    double distance;
+    std::size_t cue;
+    CueLandmark landmark;
+  };
+
+  void walk() {
+    const double length = speed_ * kTick;
+    body_.turn(random_.normal(0.0, model_.veer) * std::sqrt(length));
+    if (!body_.move(0.0, length)) {
+      ++outcome_.touches;
+      walking_ = false;
+      body_.move(kPi, 0.15);  // steps back from what was touched
+      return;
+    }
+    outcome_.walked_m += length;
+    budget_ -= length;
+    if (budget_ <= 0.0) walking_ = false;  // nothing has been said for longer than was told: wait
+  }
+
+  void judge(std::size_t cue, double direction, double need) {
+    ++outcome_.instructions;
+    if (body_.reach(direction) >= need) return;
+    outcome_.cues[cue].wrong = true;
+    ++outcome_.wrong_cues;
+  }
+
+  void start_turn(double wanted, std::size_t cue) {
+    judge(cue, wanted, kWrongReach);
+    turn_left_ = wanted * (1.0 + random_.normal(0.0, 0.1)) + random_.normal(0.0, model_.turn_sigma * std::min(1.0, std::abs(wanted)));
+    slow_turn_ = 0.0;
+    budget_ = std::max(budget_, 1.5);
+  }
+
+  void do_it(const Act& act) {
+    switch (act.kind) {
+      case CueKind::turn:
+        if (nominal(act.direction) == 0.0) return;
+        start_turn(nominal(act.direction), act.cue);
+        return;
+      case CueKind::bear:
+        body_.turn((act.direction > 0.0 ? 1.0 : -1.0) * degrees(13.0) * (1.0 + random_.normal(0.0, 0.25)));
+        ++outcome_.instructions;
+        return;
+      case CueKind::go_straight:
+        judge(act.cue, 0.0, act.distance < 0.0 ? kWrongReach : std::min(0.8 * act.distance, kWrongReach));
+        walking_ = true;
+        slow_turn_ = 0.0;
+        // Counts the steps told, and a little more, then waits for the next word.
+        budget_ = (act.distance < 0.0 ? 3.0 : told_length(act.distance)) * stride_ + 0.15;
+        return;
+      case CueKind::stop:
+      case CueKind::obstacle:
+        walking_ = false;
+        return;
+      case CueKind::uncertain:
+        walking_ = false;
+        slow_side_ = 1.0;
+        slow_turn_ = kTwoPi;
+        return;
+      case CueKind::probe_turn:
+        walking_ = false;
+        slow_side_ = act.direction > 0.0 ? 1.0 : -1.0;
+        slow_turn_ = degrees(180.0);
+        return;
+      case CueKind::probe_step:
+        slow_turn_ = 0.0;
+        for (int i = 0; i < 6; ++i) body_.move(act.direction, 0.1);
+        return;
+      case CueKind::found:
+        slow_turn_ = 0.0;
+        return;
+      case CueKind::arrived:
+        walking_ = false;
+        done_ = true;
+        return;
+      case CueKind::take_link:
+        ride(act);
+        return;
+      default:
+        return;
+    }
+  }
+
+  void ride(const Act& act) {
+    const LevelLink& link = router_.building().links[static_cast<std::size_t>(act.landmark.index)];
+    const bool from_a = body_.room() == link.room_a && distance(body_.pose().position, link.at_a) < 2.0;
+    const bool from_b = body_.room() == link.room_b && distance(body_.pose().position, link.at_b) < 2.0;
+    walking_ = false;
+    if (!from_a && !from_b) return;
+    landing_ = from_a ? Spot{link.room_b, link.at_b} : Spot{link.room_a, link.at_a};
+    pending_landing_ = true;
+    stairs_until_ = now_ + (link.kind == LevelLinkKind::stairs ? 12.0 : 25.0);
+  }
+
+  void land() {
+    pending_landing_ = false;
+    const Vec2 at = router_.space(landing_.room).settle(landing_.at, 0.4);
+    body_.set(landing_.room, {at, random_.uniform(-kPi, kPi)});
+  }
+
+  const Router& router_;
+  Body& body_;
+  const WearerModel& model_;
+  Random& random_;
+  WalkOutcome& outcome_;
+  double speed_ = 0.8;
+  double reaction_ = 0.8;
+  double stride_ = 1.0;
+  std::deque<Act> todo_;
+  bool walking_ = false;
+  bool done_ = false;
+  double turn_left_ = 0.0;
+  double slow_turn_ = 0.0;
+  double slow_side_ = 1.0;
+  double budget_ = 0.0;
+  double now_ = 0.0;
+  double last_heard_ = 0.0;
+  double stairs_until_ = -1.0;
+  bool pending_landing_ = false;
+  Spot landing_;
+};
+
+}  // namespace
+
+void NoisyTruth::observe(double time_s, RoomIndex room, const Pose2& pose, double speed, Guide& guide) {
+  const double keep = std::exp(-kTick / 3.0);
+  const double add = std::sqrt(1.0 - keep * keep);
+  error_ = keep * error_ + add * sigma_m_ * Vec2{random_.normal(), random_.normal()};
+  heading_error_ = keep * heading_error_ + add * sigma_heading_ * random_.normal();
+  Estimate e;
+  e.time_s = time_s;
+  e.room = room;
+  e.pose = {pose.position + error_, wrap_angle(pose.heading + heading_error_)};
+  e.sigma_m = sigma_m_;
+  e.sigma_heading_rad = sigma_heading_;
+  e.room_probability = 0.97;
+  e.state = TrackState::tracking;
+  e.speed_mps = speed;
+  guide.on_estimate(e);
+}
+
+Spot random_spot(const Router& router, Random& random) {
+  const Building& b = router.building();
+  for (int attempt = 0; attempt < 2000; ++attempt) {
+    const auto room = static_cast<RoomIndex>(random.uniform(0.0, static_cast<double>(b.rooms.size())));
+    Vec2 low{1e9, 1e9};
+    Vec2 high{-1e9, -1e9};
+    for (const Segment& w : b.room(room).walls) {
+      for (const Vec2 p : {w.a, w.b}) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      }
+    }
+    const Vec2 p{random.uniform(low.x, high.x), random.uniform(low.y, high.y)};
+    if (router.space(room).contains(p) && router.space(room).clearance(p, 0.5) >= 0.5) return {room, p};
+  }
+  return {};
+}
+
+WalkOutcome walk_blindfolded(const Router& router, const Spot& start, double heading, const Goal& goal,
+                             PoseSource& source, const WearerModel& model, std::uint64_t seed) {
+  WalkOutcome outcome;
+  Random random(seed);
+  Body body(router, start, heading);
+  Wearer wearer(router, body, model, random, outcome);
+  const Speaker speaker(router.building());
+  Guide guide(router);
+  const Result<Route> best = router.find_route(start, goal);
+  if (!best || !guide.set_destination(goal)) return outcome;
+  outcome.shortest_m = walked_length(*best);
+  const double limit = 60.0 + 5.0 * best->length_m / model.speed_low;
+  double last_trace = -1.0;
+  for (double now = 0.0; now < limit && !wearer.done(); now += kTick) {
+    wearer.live(now);
+    // On stairs no echo fits and nothing new is known.
+    if (!wearer.away()) source.observe(now, body.room(), body.pose(), wearer.speed(), guide);
+    if (wearer.asks()) guide.repeat();
+    if (const auto transition = guide.take_level_transition()) source.on_level_transition(*transition);
+    Cue cue;
+    while (guide.next_cue(cue)) {
+      outcome.words.push_back(speaker.say(cue));
+      wearer.hear(cue, now);
+    }
+    if (now - last_trace >= 0.25) {
+      outcome.trace.push_back({now, body.room(), body.pose()});
+      last_trace = now;
+    }
+    outcome.time_s = now;
+  }
+  const auto end = router.find_route({body.room(), body.pose().position}, goal);
+  outcome.end_error_m = end ? walked_length(*end) : 1e9;
+  constexpr double kThere = 1.5;
+  outcome.arrived = wearer.done() && outcome.end_error_m <= kThere;
+  return outcome;
+}
+
+}  // namespace echoway::test

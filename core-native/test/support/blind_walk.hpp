@@ -1,0 +1,82 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "echoway/guidance/guide.hpp"
+#include "echoway/random.hpp"
+#include "echoway/routing/router.hpp"
+
+namespace echoway::test {
+
+/// A blindfolded wearer who knows nothing but the cues. Every figure is drawn anew for each wearer from these ranges.
+struct WearerModel {
+  double speed_low = 0.5, speed_high = 1.0;          ///< m/s; blind walkers indoors.
+  double reaction_low = 0.4, reaction_high = 1.1;    ///< s, from the end of a line.
+  double turn_sigma = degrees(10.0);                 ///< Error of a turn, besides 10 % of its size.
+  double step_error = 0.08;                          ///< Share by which a wearer misjudges lengths.
+  double veer = degrees(4.0);                        ///< Heading's random walk, per root metre (Guth & LaDuke 1994).
+  double patience = 12.0;                            ///< s of standing in silence before asking for the last line again.
+  double ignore = 0.05;                              ///< Share of the cues that are not taken in.
+};
+
+/// What stands between the wearer and the guide: the truth with noise, or the whole tracker.
+class PoseSource {
+ public:
+  virtual ~PoseSource() = default;
+  /// The wearer is at `pose` in `room`, walking at `speed`, at `time_s`. Feeds the guide.
+  virtual void observe(double time_s, RoomIndex room, const Pose2& pose, double speed, Guide& guide) = 0;
+  virtual void on_level_transition(const LevelTransition&) {}
+};
+
+/// The truth with an error that drifts as a tracker's does (first-order Gauss-Markov, 3 s).
+class NoisyTruth : public PoseSource {
+ public:
+  NoisyTruth(double sigma_m, double sigma_heading, std::uint64_t seed)
+      : sigma_m_(sigma_m), sigma_heading_(sigma_heading), random_(seed) {}
+  void observe(double time_s, RoomIndex room, const Pose2& pose, double speed, Guide& guide) override;
+
+ private:
+  double sigma_m_;
+  double sigma_heading_;
+  Random random_;
+  Vec2 error_{};
+  double heading_error_ = 0.0;
+};
+
+struct HeardCue {
+  Cue cue;
+  bool wrong = false;  ///< It sent the wearer into a wall.
+};
+
+struct TracePoint {
+  double time_s = 0.0;
+  RoomIndex room = kNoRoom;
+  Pose2 pose{};
+};
+
+struct WalkOutcome {
+  bool arrived = false;
+  double time_s = 0.0;
+  double walked_m = 0.0;
+  double shortest_m = 0.0;
+  int touches = 0;      ///< Times a wall was walked into.
+  int wrong_cues = 0;   ///< Instructions that pointed into a wall.
+  int instructions = 0;
+  double end_error_m = 0.0;
+  std::vector<HeardCue> cues;
+  std::vector<std::string> words;  ///< Of the cues, in English.
+  std::vector<TracePoint> trace;
+};
+
+/// Walks one wearer from `start` to `goal` by cues alone. Gives up after a time that a slow walker would need five times
+/// over. The same arguments give the same walk.
+WalkOutcome walk_blindfolded(const Router& router, const Spot& start, double heading, const Goal& goal,
+                             PoseSource& source, const WearerModel& model, std::uint64_t seed);
+
+/// A spot at least 0.5 m from walls in a random room.
+Spot random_spot(const Router& router, Random& random);
+
+}  // namespace echoway::test
