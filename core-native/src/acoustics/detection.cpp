@@ -98,6 +98,14 @@ DetectionTable::DetectionTable(const BeltConfig& belt, const DetectionParameters
   edge_ = tabulate(ElementKind::edge);
 }
 
+double DetectionTable::reach(ElementKind kind) const noexcept {
+  const auto& table = kind == ElementKind::edge ? edge_ : plane_;
+  if (kind == ElementKind::reflector) return kCells / cells_per_metre_;
+  std::size_t last = table.size() - 1;
+  while (last > 0 && table[last] > 1.0) --last;
+  return static_cast<double>(std::min(last + 1, table.size() - 1)) / cells_per_metre_;
+}
+
 double DetectionTable::half_angle(ElementKind kind, double distance_m) const noexcept {
   const double cosine = kind == ElementKind::none ? kNever : cos_half_angle(kind, distance_m);
   return cosine > 1.0 ? -1.0 : std::acos(cosine);

@@ -1,8 +1,8 @@
 #include "echoway/acoustics/range_model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
 
 namespace echoway {
 namespace {
@@ -11,6 +11,9 @@ namespace {
 constexpr double kContact = 1e-6;
 // Widens conservative bounds by more than rounding can shift them; metres, or directions of a grid.
 constexpr double kSlack = 1e-9;
+
+// Plain roots: lengths here are those of rooms, and hypot()'s care for overflow takes longer than all the rest.
+double length_of(Vec2 v) noexcept { return std::sqrt(squared_norm(v)); }
 
 void keep_nearest(double range, ElementKind kind, std::int32_t index, PredictedEcho& best) noexcept {
   if (best.kind == ElementKind::none || range < best.range_m) best = {range, kind, index};
@@ -28,7 +31,11 @@ bool crosses(const Segment& wall, Vec2 from, Vec2 to) noexcept {
   const double side_b = cross(path, wall.b - from);
   if (side_a * side_b > 0.0 || side_a == side_b) return false;
   const double t = cross(wall.a - from, wall.direction()) / (side_b - side_a);
-  return t > 0.0 && t < 1.0 && (1.0 - t) * norm(path) > kContact;
+  return t > 0.0 && t < 1.0 && (1.0 - t) * length_of(path) > kContact;
+}
+
+bool within(double reach, const Segment& s, Vec2 point) noexcept {
+  return squared_norm(nearest_point(s, point) - point) <= reach * reach;
 }
 
 // The part [t0, t1] of a segment, seen from a face, that lies within the beam.
@@ -49,9 +56,8 @@ struct Clip {
   [[nodiscard]] bool empty() const noexcept { return !(t0 <= t1); }
 };
 
-Clip clip_to_beam(const Segment& segment, Vec2 face, Vec2 unit, double half_angle) noexcept {
-  const double s = std::sin(half_angle);
-  const double c = std::cos(half_angle);
+// `s` and `c`: sine and cosine of the beam's half-angle.
+Clip clip_to_beam(const Segment& segment, Vec2 face, Vec2 unit, double s, double c) noexcept {
   const auto left = [&](Vec2 q) { return s * dot(unit, q - face) - c * cross(unit, q - face); };
   const auto right = [&](Vec2 q) { return s * dot(unit, q - face) + c * cross(unit, q - face); };
   Clip clip;
@@ -83,14 +89,15 @@ bool RangeModel::hidden(const Ray& ray, Vec2 target) const noexcept {
   return blocked(ray.face, target) || (belt_.radius_m > 0.0 && blocked(ray.axis, ray.face));
 }
 
-// Whether obstacles leave free, block, or may partly block every path from a face in reach of `target` to it. Those
-// paths lie within `lateral` of the line from the axis, and begin at most `radius` along it.
-RangeModel::Sight RangeModel::sight(Vec2 axis, Vec2 target, double lateral) const noexcept {
+// Whether obstacles leave free, block, or may partly block every path from a face in reach of `target` to it, or, not
+// `converging`, to the points of a wall beside it. Those paths lie within `lateral_` of the line from the axis, and begin
+// at most `radius` along it.
+RangeModel::Sight RangeModel::sight(Vec2 axis, Vec2 target, bool converging) const noexcept {
   if (occluders_.empty()) return Sight::clear;
-  const double length = distance(axis, target);
+  const double length = length_of(target - axis);
   if (!(length > kContact)) return Sight::depends;
   const Vec2 forward = (1.0 / length) * (target - axis);
-  const double side = lateral + kSlack;
+  const double side = lateral_ + kSlack;
   const double end = length - kContact;
   Sight result = Sight::clear;
   for (const Segment& s : occluders_) {
@@ -100,6 +107,8 @@ RangeModel::Sight RangeModel::sight(Vec2 axis, Vec2 target, double lateral) cons
         std::max(a.y, b.y) < -side) {
       continue;
     }
+    // What leaves from the target meets no path to it before, unless it passes between axis and face.
+    if (converging && within(kContact, s, target) && !within(belt_.radius_m, s, axis)) continue;
     if (std::min(a.y, b.y) < -side && std::max(a.y, b.y) > side) {
       const double slope = (b.x - a.x) / (b.y - a.y);
       const double at_left = a.x + slope * (side - a.y);
@@ -112,6 +121,31 @@ RangeModel::Sight RangeModel::sight(Vec2 axis, Vec2 target, double lateral) cons
     result = Sight::depends;
   }
   return result;
+}
+
+// The same for every path to any point of `target`: these lie in the hull of the disc of faces and the segment. Never
+// says `blocked`.
+RangeModel::Sight RangeModel::sight_along(Vec2 axis, const Segment& target) const noexcept {
+  const Vec2 along = target.direction();
+  const double turn = cross(target.a - axis, target.b - axis) < 0.0 ? -1.0 : 1.0;
+  const Vec2 first = turn > 0.0 ? target.a : target.b;
+  const Vec2 last = turn > 0.0 ? target.b : target.a;
+  const double margin = belt_.radius_m + kSlack;
+  // Positive outside the hull, each scaled by the length of its line.
+  const auto right_of_first = [&](Vec2 p) { return cross(p - axis, first - axis); };
+  const auto left_of_last = [&](Vec2 p) { return cross(last - axis, p - axis); };
+  const auto beyond = [&](Vec2 p) { return turn * cross(p - target.a, along); };
+  const double right_margin = margin * length_of(first - axis);
+  const double left_margin = margin * length_of(last - axis);
+  const double far_margin = -kContact * length_of(along);
+  if (beyond(axis) > -margin * length_of(along)) return Sight::depends;  // the disc reaches past the segment's line
+  for (const Segment& s : occluders_) {
+    if (right_of_first(s.a) > right_margin && right_of_first(s.b) > right_margin) continue;
+    if (left_of_last(s.a) > left_margin && left_of_last(s.b) > left_margin) continue;
+    if (beyond(s.a) > far_margin && beyond(s.b) > far_margin) continue;
+    return Sight::depends;
+  }
+  return Sight::clear;
 }
 
 void RangeModel::offer_wall(const Wall& wall, const Ray& ray, Sight sight, PredictedEcho& best) const noexcept {
@@ -128,7 +162,7 @@ void RangeModel::offer_wall(const Wall& wall, const Ray& ray, Sight sight, Predi
 void RangeModel::offer_point(Vec2 at, ElementKind kind, std::int32_t index, const Ray& ray, Sight sight,
                              PredictedEcho& best) const noexcept {
   const Vec2 to = at - ray.face;
-  const double z = norm(to);
+  const double z = length_of(to);
   if (!in_range(z) || beaten(z, best)) return;
   if (dot(to, ray.unit) < z * detection_.cos_half_angle(kind, z)) return;
   if (sight == Sight::depends && hidden(ray, at)) return;
@@ -145,17 +179,19 @@ void RangeModel::offer_edge(const Edge& edge, const Ray& ray, Sight sight, Predi
   offer_point(edge.at, ElementKind::edge, edge.index, ray, sight, best);
 }
 
-void RangeModel::offer_reflector(const Reflector& reflector, const Ray& ray, PredictedEcho& best) const noexcept {
+void RangeModel::offer_reflector(const Reflector& reflector, const Ray& ray, Sight sight,
+                                 PredictedEcho& best) const noexcept {
   const Segment& s = reflector.segment;
-  const double nearest = distance(s, ray.face);
+  if (dot(ray.face - s.a, reflector.outward) < 0.0) return;
+  const double nearest = length_of(nearest_point(s, ray.face) - ray.face);
   if (nearest > belt_.max_range_m || beaten(nearest, best)) return;
-  const Clip clip = clip_to_beam(s, ray.face, ray.unit, detection_.widest());
+  const Clip clip = clip_to_beam(s, ray.face, ray.unit, sin_widest_, cos_widest_);
   if (clip.empty()) return;
   const auto offer = [&](double t) {
     const Vec2 point = point_at(s, t);
-    const double z = distance(point, ray.face);
+    const double z = length_of(point - ray.face);
     if (!in_range(z) || beaten(z, best)) return true;
-    if (hidden(ray, point)) return false;
+    if (sight == Sight::depends && hidden(ray, point)) return false;
     keep_nearest(z, ElementKind::reflector, reflector.index, best);
     return true;
   };
@@ -167,8 +203,9 @@ void RangeModel::offer_reflector(const Reflector& reflector, const Ray& ray, Pre
     for (const Vec2 rim : {obstacle.a, obstacle.b}) {
       const Vec2 past = rim - ray.face;
       const double across = cross(past, s.direction());
-      if (across == 0.0 || dot(past, ray.unit) <= 0.0) continue;
-      const double t = cross(ray.face - s.a, past) / -across;
+      const double behind = cross(s.a - ray.face, s.direction());  // over `across`: how many times as far as the rim
+      if (across == 0.0 || behind / across < 1.0) continue;
+      const double t = cross(s.a - ray.face, past) / across;
       const double nudge = kContact / std::max(kContact, s.length());
       for (const double beside : {t - nudge, t + nudge}) {
         if (beside >= clip.t0 && beside <= clip.t1) offer(beside);
@@ -187,7 +224,7 @@ PredictedEcho RangeModel::predict_towards(Vec2 axis, Vec2 unit) const noexcept {
   for (const Wall& wall : walls_) offer_wall(wall, r, Sight::depends, best);
   for (const Corner& corner : corners_) offer_corner(corner, r, Sight::depends, best);
   for (const Edge& edge : edges_) offer_edge(edge, r, Sight::depends, best);
-  for (const Reflector& reflector : reflectors_) offer_reflector(reflector, r, best);
+  for (const Reflector& reflector : reflectors_) offer_reflector(reflector, r, Sight::depends, best);
   return best;
 }
 
@@ -213,21 +250,22 @@ void RangeModel::sweep(Vec2 axis, const Directions& directions, std::span<Predic
   if (directions.count() == 0) return;
   const double widest = detection_.widest();
   const double reach = belt_.max_range_m + belt_.radius_m;
+  const double edge_reach = std::min(reach, edge_reach_ + belt_.radius_m);
 
   for (const Wall& wall : walls_) {
     const double height = dot(wall.a - axis, wall.normal);
     const double along = dot(axis - wall.a, wall.along);
     if (std::abs(height) > reach || along < -lateral_ - kSlack || along > wall.length + lateral_ + kSlack) continue;
-    const Sight seen = sight(axis, axis + height * wall.normal, lateral_);
+    const Sight seen = sight(axis, axis + height * wall.normal, false);
     if (seen == Sight::blocked) continue;
     const double bearing = height < 0.0 ? wall.normal_angle + kPi : wall.normal_angle;
     for_directions(directions, bearing, widest, out, axis,
                    [&](const Ray& r, PredictedEcho& best) { offer_wall(wall, r, seen, best); });
   }
-  const auto each_point = [&](Vec2 at, auto offer) {
+  const auto each_point = [&](Vec2 at, double farthest, auto offer) {
     const Vec2 to = at - axis;
-    if (squared_norm(to) > reach * reach) return;
-    const Sight seen = sight(axis, at, lateral_);
+    if (squared_norm(to) > farthest * farthest) return;
+    const Sight seen = sight(axis, at, true);
     if (seen == Sight::blocked) return;
     for_directions(directions, std::atan2(to.y, to.x), widest, out, axis,
                    [&](const Ray& r, PredictedEcho& best) { offer(r, seen, best); });
@@ -235,20 +273,41 @@ void RangeModel::sweep(Vec2 axis, const Directions& directions, std::span<Predic
   for (const Corner& corner : corners_) {
     const Vec2 out_of = axis - corner.at;
     if (dot(out_of, corner.arm_a) < -belt_.radius_m || dot(out_of, corner.arm_b) < -belt_.radius_m) continue;
-    each_point(corner.at, [&](const Ray& r, Sight s, PredictedEcho& best) { offer_corner(corner, r, s, best); });
+    each_point(corner.at, reach, [&](const Ray& r, Sight s, PredictedEcho& best) { offer_corner(corner, r, s, best); });
   }
   for (const Edge& edge : edges_) {
-    each_point(edge.at, [&](const Ray& r, Sight s, PredictedEcho& best) { offer_edge(edge, r, s, best); });
+    each_point(edge.at, edge_reach, [&](const Ray& r, Sight s, PredictedEcho& best) { offer_edge(edge, r, s, best); });
   }
-  for (const Reflector& reflector : reflectors_) {
-    const Segment& s = reflector.segment;
-    if (distance(s, axis) > reach) continue;
-    const Vec2 a = s.a - axis;
-    const Vec2 b = s.b - axis;
-    const double turn = std::atan2(cross(a, b), dot(a, b));
-    const double half_width = std::abs(turn) > kPi - 1e-6 ? kPi : 0.5 * std::abs(turn) + widest;
-    for_directions(directions, std::atan2(a.y, a.x) + 0.5 * turn, half_width, out, axis,
-                   [&](const Ray& r, PredictedEcho& best) { offer_reflector(reflector, r, best); });
+  sweep_reflectors(axis, directions, reach, out);
+}
+
+// Nearest first: what stands farther off is then mostly beaten before it is looked for behind obstacles.
+void RangeModel::sweep_reflectors(Vec2 axis, const Directions& directions, double reach,
+                                  std::span<PredictedEcho> out) const noexcept {
+  struct Ranked {
+    double distance;
+    const Reflector* reflector;
+  };
+  std::array<Ranked, 32> ranked;
+  for (std::size_t from = 0; from < reflectors_.size(); from += ranked.size()) {
+    std::size_t count = 0;
+    for (std::size_t i = from; i < std::min(reflectors_.size(), from + ranked.size()); ++i) {
+      const double d = length_of(nearest_point(reflectors_[i].segment, axis) - axis);
+      if (d <= reach) ranked[count++] = {d, &reflectors_[i]};
+    }
+    std::sort(ranked.begin(), ranked.begin() + count, [](Ranked a, Ranked b) { return a.distance < b.distance; });
+    for (std::size_t i = 0; i < count; ++i) {
+      const Reflector& reflector = *ranked[i].reflector;
+      const Vec2 a = reflector.segment.a - axis;
+      const double turn = [&] {
+        const Vec2 b = reflector.segment.b - axis;
+        return std::atan2(cross(a, b), dot(a, b));
+      }();
+      const Sight seen = sight_along(axis, reflector.segment);
+      const double half_width = std::abs(turn) > kPi - 1e-6 ? kPi : 0.5 * std::abs(turn) + detection_.widest();
+      for_directions(directions, std::atan2(a.y, a.x) + 0.5 * turn, half_width, out, axis,
+                     [&](const Ray& r, PredictedEcho& best) { offer_reflector(reflector, r, seen, best); });
+    }
   }
 }
 

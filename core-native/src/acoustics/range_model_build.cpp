@@ -72,6 +72,33 @@ std::vector<Vec2> arms_at(Vec2 at, const std::vector<Segment>& walls) {
   return arms;
 }
 
+// A segment walked along in one direction.
+struct Step {
+  std::size_t index;
+  Vec2 from;
+  Vec2 to;
+};
+
+// The loop that `segments[first]` is part of, each segment continuing the one before; empty when it does not close, or
+// branches. Segments are taken as they come, so whichever end they were written from.
+std::vector<Step> closed_loop(const std::vector<Segment>& segments, std::size_t first) {
+  const auto meets = [](Vec2 a, Vec2 b) { return squared_norm(a - b) <= kTouching * kTouching; };
+  std::vector<Step> loop{{first, segments[first].a, segments[first].b}};
+  while (loop.size() <= segments.size()) {
+    const Vec2 end = loop.back().to;
+    if (loop.size() > 2 && meets(end, loop.front().from)) return loop;
+    std::vector<Step> next;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      if (i == loop.back().index || !is_finite(segments[i]) || segments[i].length() <= kTouching) continue;
+      if (meets(segments[i].a, end)) next.push_back({i, segments[i].a, segments[i].b});
+      if (meets(segments[i].b, end)) next.push_back({i, segments[i].b, segments[i].a});
+    }
+    if (next.size() != 1) break;
+    loop.push_back(next.front());
+  }
+  return {};
+}
+
 // Andrew's monotone chain; the hull counter-clockwise without its collinear points.
 std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
   std::sort(points.begin(), points.end(), [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
@@ -105,13 +132,14 @@ RangeModel::RangeModel(const Room& room, std::span<const Opening> openings, cons
     : belt_(belt), detection_(detection) {
   belt_.sensors = std::clamp(belt_.sensors, 1, kMaxSensors);
   belt_.radius_m = std::isfinite(belt_.radius_m) ? std::max(0.0, belt_.radius_m) : 0.0;
-  lateral_ = belt_.radius_m * std::sin(detection_.widest());
+  sin_widest_ = std::sin(detection_.widest());
+  cos_widest_ = std::cos(detection_.widest());
+  lateral_ = belt_.radius_m * sin_widest_;
+  edge_reach_ = detection_.reach(ElementKind::edge);
   for (std::size_t i = 0; i < room.edges.size(); ++i) {
     if (echoway::is_finite(room.edges[i])) edges_.push_back({room.edges[i], static_cast<std::int32_t>(i)});
   }
-  for (std::size_t i = 0; i < room.reflectors.size(); ++i) {
-    if (is_finite(room.reflectors[i])) reflectors_.push_back({room.reflectors[i], static_cast<std::int32_t>(i)});
-  }
+  add_reflectors(room);
   add_walls(room, openings, parameters);
   add_corners(room, parameters.right_angle_tolerance_rad);
   add_occluders();
@@ -160,6 +188,29 @@ void RangeModel::add_corners(const Room& room, double tolerance) {
         if (std::abs(dot(arms[a], arms[b])) <= std::sin(tolerance)) corners_.push_back({at, arms[a], arms[b], index});
       }
     }
+  }
+}
+
+// Reflectors that close on themselves outline a solid thing, a bench or a cupboard; from outside its far sides are never
+// seen, and saying so now spares looking for them behind its near ones.
+void RangeModel::add_reflectors(const Room& room) {
+  const auto& all = room.reflectors;
+  std::vector<Vec2> outward(all.size());
+  std::vector<bool> done(all.size(), false);
+  for (std::size_t first = 0; first < all.size(); ++first) {
+    const std::vector<Step> loop = done[first] ? std::vector<Step>{} : closed_loop(all, first);
+    double area = 0.0;  // twice, counter-clockwise positive
+    for (const Step& step : loop) {
+      done[step.index] = true;
+      area += cross(step.from - loop.front().from, step.to - loop.front().from);
+    }
+    for (const Step& step : loop) {
+      const Vec2 right = -perpendicular(step.to - step.from);
+      outward[step.index] = ((area > 0.0 ? 1.0 : -1.0) / norm(right)) * right;
+    }
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (is_finite(all[i])) reflectors_.push_back({all[i], outward[i], static_cast<std::int32_t>(i)});
   }
 }
 

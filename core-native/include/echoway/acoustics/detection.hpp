@@ -42,6 +42,9 @@ class DetectionTable {
     return table[k] + share * (table[k + 1] - table[k]);
   }
 
+  /// The distance beyond which this kind is never heard, metres, to within a cell of the table; at most max_range.
+  [[nodiscard]] double reach(ElementKind kind) const noexcept;
+
   /// The widest half-angle of all, radians, at most 90 degrees.
   [[nodiscard]] double widest() const noexcept { return widest_; }
   /// The piston that the table was computed with.

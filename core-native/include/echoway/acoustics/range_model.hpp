@@ -117,6 +117,7 @@ class RangeModel {
   };
   struct Reflector {
     Segment segment{};
+    Vec2 outward{};          ///< Unit, for a side of a closed outline (a bench), seen from outside only; else zero.
     std::int32_t index = -1;
   };
   /// One sensor's ray.
@@ -129,13 +130,16 @@ class RangeModel {
 
   void add_walls(const Room& room, std::span<const Opening> openings, const RangeModelParameters& parameters);
   void add_corners(const Room& room, double tolerance);
+  void add_reflectors(const Room& room);
   void add_occluders();
 
   [[nodiscard]] Ray ray(Vec2 axis, Vec2 unit) const noexcept;
   [[nodiscard]] bool in_range(double z) const noexcept { return z >= belt_.min_range_m && z <= belt_.max_range_m; }
   [[nodiscard]] bool blocked(Vec2 from, Vec2 to) const noexcept;
   [[nodiscard]] bool hidden(const Ray& ray, Vec2 target) const noexcept;
-  [[nodiscard]] Sight sight(Vec2 axis, Vec2 target, double lateral) const noexcept;
+  [[nodiscard]] Sight sight(Vec2 axis, Vec2 target, bool converging) const noexcept;
+
+  [[nodiscard]] Sight sight_along(Vec2 axis, const Segment& target) const noexcept;
 
   // Each offers its echo to `best`, which keeps the nearest.
   void offer_wall(const Wall& wall, const Ray& ray, Sight sight, PredictedEcho& best) const noexcept;
@@ -143,14 +147,19 @@ class RangeModel {
   void offer_edge(const Edge& edge, const Ray& ray, Sight sight, PredictedEcho& best) const noexcept;
   void offer_point(Vec2 at, ElementKind kind, std::int32_t index, const Ray& ray, Sight sight,
                    PredictedEcho& best) const noexcept;
-  void offer_reflector(const Reflector& reflector, const Ray& ray, PredictedEcho& best) const noexcept;
+  void offer_reflector(const Reflector& reflector, const Ray& ray, Sight sight, PredictedEcho& best) const noexcept;
 
+  void sweep_reflectors(Vec2 axis, const Directions& directions, double reach,
+                        std::span<PredictedEcho> out) const noexcept;
   template <class Offer>
   void for_directions(const Directions& directions, double bearing, double half_width, std::span<PredictedEcho> out,
                       Vec2 axis, Offer offer) const noexcept;
 
   BeltConfig belt_;
   DetectionTable detection_;
+  double sin_widest_ = 0.0;       ///< Of the widest half-angle.
+  double cos_widest_ = 1.0;
+  double edge_reach_ = 0.0;       ///< Beyond it no edge answers, metres.
   double lateral_ = 0.0;          ///< How far to the side of the axis a face in reach of a bearing may be, metres.
   double greatest_range_ = 0.0;
   std::vector<Wall> walls_;
