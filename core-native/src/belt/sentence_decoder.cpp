@@ -5,7 +5,8 @@
 namespace echoway {
 namespace {
 
-// What a field may say. A second's echo is 170 m away and a kilometre's range is none: both say that the belt is broken.
+// What a field may say. A second's echo is 170 m away and a kilometre's range is none: both say that the belt is
+// broken.
 constexpr std::uint32_t kMaxTimeOfFlight = 1'000'000;
 constexpr std::uint32_t kMaxRange = 1'000'000;
 constexpr int kMinTemperature = -1000;

@@ -1,7 +1,7 @@
 #include "building/assembly.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <set>
 #include <tuple>
 
@@ -50,8 +50,8 @@ class Assembler {
           read_room_file(dir / room_file_name(id), id, out_.source.config.unit, findings_));
       elements += room.walls.size() + room.corners.size() + room.edges.size() + room.reflectors.size();
       if (elements > kMaxBuildingElements) {
-        findings_.unusable(room.file, 0, "the building has more than " + std::to_string(kMaxBuildingElements) +
-                                             " elements; split it");
+        findings_.unusable(
+            room.file, 0, "the building has more than " + std::to_string(kMaxBuildingElements) + " elements; split it");
         return false;
       }
     }
@@ -71,7 +71,7 @@ class Assembler {
     if (floor.closed) {
       derive_features(source, floor, room);
     } else if (source.readable) {
-      report_open(source, floor, lines);
+      report_open(source, room, floor, lines);
     }
   }
 
@@ -81,16 +81,17 @@ class Assembler {
     for (const Located<Segment>& wall : source.walls) {
       const Segment& s = wall.what;
       if (s.length() <= kSamePoint) {
-        findings_.warn(source.file, wall.line, "a wall without length at " + phrases_.point(s.a) +
-                                                   " is left out; remove the line or give its other end");
+        findings_.warn(
+            source.file, wall.line,
+            "a wall without length at " + phrases_.point(s.a) + " is left out; remove the line or give its other end");
         continue;
       }
       const auto [low, high] = std::minmax({std::pair{s.a.x, s.a.y}, std::pair{s.b.x, s.b.y}});
-      const auto [first, is_new] =
-          seen.try_emplace(Ends{low.first, low.second, high.first, high.second}, wall.line);
+      const auto [first, is_new] = seen.try_emplace(Ends{low.first, low.second, high.first, high.second}, wall.line);
       if (!is_new) {
-        findings_.warn(source.file, wall.line, "the wall is the same as on line " + std::to_string(first->second) +
-                                                   " and is left out; remove one of them");
+        findings_.warn(source.file, wall.line,
+                       "the wall is the same as on line " + std::to_string(first->second) +
+                           " and is left out; remove one of them");
         continue;
       }
       room.walls.push_back(s);
@@ -108,7 +109,7 @@ class Assembler {
     }
   }
 
-  void report_open(const RoomSource& source, const FloorTrace& floor, const std::vector<int>& lines) {
+  void report_open(const RoomSource& source, const Room& room, const FloorTrace& floor, const std::vector<int>& lines) {
     if (source.walls.empty() || lines.empty()) {
       findings_.unusable(source.file, 0, "has no walls; a room needs walls that enclose its floor");
       return;
@@ -119,9 +120,8 @@ class Assembler {
     }
     const FreeEnd& end = floor.free_ends.front();
     std::string message = "the walls do not close: this wall ends at " + phrases_.point(end.at) + " and meets no other";
-    if (end.gap < std::numeric_limits<double>::infinity()) {
-      message += " (the nearest is " + phrases_.length(end.gap) + " away)";
-    }
+    const double gap = gap_at(room.walls, end);
+    if (std::isfinite(gap)) message += " (the nearest is " + phrases_.length(gap) + " away)";
     findings_.unusable(source.file, lines[end.wall],
                        message + "; move the end or add the missing wall, across door openings too");
   }

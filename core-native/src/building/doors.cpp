@@ -38,8 +38,8 @@ class DoorMerger {
     DoorLines& about = lines_[*known];
     (swapped ? about.from_b : about.from_a) |= !source.keyword;
     about.keyword |= source.keyword;
-    about.disagreement = std::max({about.disagreement, distance(merged.at_a, door.at_a),
-                                   distance(merged.at_b, door.at_b)});
+    about.disagreement =
+        std::max({about.disagreement, distance(merged.at_a, door.at_a), distance(merged.at_b, door.at_b)});
     if (source.width && *source.width > 0.0) {
       building_.doors[*known].width = *source.width;
       about.width_given = true;
@@ -110,15 +110,17 @@ std::vector<DoorLines> assemble_doors(const ConfigSource& config, const RoomsByI
     for (const PlaceSource* side : {&door.what.a, &door.what.b}) {
       if (look_up(rooms, side->room)) continue;
       known = false;
-      findings.unusable(config.file, door.line, "a door leads to room '" + side->room + "', which has no file room-" +
-                                                    side->room + ".room; add the file or remove the door");
+      findings.unusable(config.file, door.line,
+                        "a door leads to room '" + side->room + "', which has no file room-" + side->room +
+                            ".room; add the file or remove the door");
     }
     if (!known) continue;
     const RoomIndex a = *look_up(rooms, door.what.a.room);
     const RoomIndex b = *look_up(rooms, door.what.b.room);
     if (a == b) {
-      findings.warn(config.file, door.line, "a door leads from room '" + door.what.a.room +
-                                                "' to itself and is left out; name the room on its other side");
+      findings.warn(config.file, door.line,
+                    "a door leads from room '" + door.what.a.room +
+                        "' to itself and is left out; name the room on its other side");
       continue;
     }
     if (door.what.width && !(*door.what.width > 0.0)) {

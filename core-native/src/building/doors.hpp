@@ -21,16 +21,16 @@ inline constexpr double kWidestDoor = feet(12.0);
 
 /// Which lines of building.cfg made a door, for messages about it. Index as in Building::doors.
 struct DoorLines {
-  int line = 0;               ///< The first of them.
-  bool from_a = false;        ///< A thesis line that starts with room_a.
+  int line = 0;         ///< The first of them.
+  bool from_a = false;  ///< A thesis line that starts with room_a.
   bool from_b = false;
-  bool keyword = false;       ///< A `door` line.
+  bool keyword = false;  ///< A `door` line.
   bool width_given = false;
   double disagreement = 0.0;  ///< Between the lines about where it is, metres.
 };
 
-/// Fills Building::doors from the lines of building.cfg, which may say the same door once or once a side. REQUIRES: rooms
-/// with walls and features.
+/// Fills Building::doors from the lines of building.cfg, which may say the same door once or once a side. REQUIRES:
+/// rooms with walls and features.
 [[nodiscard]] std::vector<DoorLines> assemble_doors(const ConfigSource& config, const RoomsById& rooms,
                                                     Building& building, Findings& findings);
 

@@ -33,8 +33,7 @@ FeaturePlace place_feature(const FloorTrace& floor, Vec2 listed) noexcept {
 }
 
 void add_feature(std::vector<Vec2>& points, Vec2 p) {
-  const bool known =
-      std::any_of(points.begin(), points.end(), [&](Vec2 q) { return distance(p, q) <= kSameFeature; });
+  const bool known = std::any_of(points.begin(), points.end(), [&](Vec2 q) { return distance(p, q) <= kSameFeature; });
   if (!known) points.push_back(p);
 }
 

@@ -5,8 +5,8 @@
 
 namespace echoway {
 
-/// A corner this far from a right angle still sends most of an echo straight back: the beam comes back turned by twice as
-/// much, which is within half the 15 degree beam.
+/// A corner this far from a right angle still sends most of an echo straight back: the beam comes back turned by twice
+/// as much, which is within half the 15 degree beam.
 inline constexpr double kRightAngleTolerance = degrees(3.5);
 
 /// A convex corner that turns by less is taken for a piece of a curve: it diffracts next to nothing.
@@ -16,10 +16,10 @@ inline constexpr double kLeastEdgeTurn = degrees(10.0);
 inline constexpr double kSameFeature = kSnapDistance;
 
 enum class MeetingKind : std::uint8_t {
-  corner,   ///< Concave right angle: sends sound straight back (thesis type 2).
-  oblique,  ///< Concave, not a right angle: sends it elsewhere.
-  edge,     ///< Convex, or a free end: diffracts (type 3).
-  straight, ///< Hardly a bend.
+  corner,    ///< Concave right angle: sends sound straight back (thesis type 2).
+  oblique,   ///< Concave, not a right angle: sends it elsewhere.
+  edge,      ///< Convex, or a free end: diffracts (type 3).
+  straight,  ///< Hardly a bend.
 };
 
 [[nodiscard]] MeetingKind kind_of(const WallMeeting& meeting) noexcept;

@@ -8,8 +8,8 @@
 
 namespace echoway {
 
-/// Collects what is wrong with a building. At most kMaxPerFile findings a file are kept: a broken file of a million lines
-/// needs no million messages.
+/// Collects what is wrong with a building. At most kMaxPerFile findings a file are kept: a broken file of a million
+/// lines needs no million messages.
 class Findings {
  public:
   static constexpr int kMaxPerFile = 200;

@@ -47,7 +47,9 @@ bool natural_less(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string room_file_name(std::string_view id) { return std::string(kPrefix) + std::string(id) + std::string(kSuffix); }
+std::string room_file_name(std::string_view id) {
+  return std::string(kPrefix) + std::string(id) + std::string(kSuffix);
+}
 
 bool is_room_id(std::string_view id) noexcept {
   return !id.empty() && id.size() <= 200 && text::is_utf8(id) && std::none_of(id.begin(), id.end(), [](char c) {

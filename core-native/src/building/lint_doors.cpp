@@ -59,7 +59,8 @@ class DoorLint {
       }
     }
     if (off <= kOffWall) return;
-    std::string message = "the door stands " + phrases_.length(off) + " off the nearest wall of room '" + id(room) + "'";
+    std::string message =
+        "the door stands " + phrases_.length(off) + " off the nearest wall of room '" + id(room) + "'";
     if (off > kDoorReach) message += " and opens none";
     warn(door, message + "; move it to " + phrases_.point(foot) + " in that room's frame, or correct the wall");
   }
@@ -82,8 +83,8 @@ class DoorLint {
     const Door& door = building_.doors[i];
     const DoorLines& lines = assembly_.door_lines[i];
     if (door.width < kNarrowestDoor || door.width > kWidestDoor) {
-      warn(i, name(door) + " is " + phrases_.length(door.width) +
-                  " wide; write its clear width in the building's unit");
+      warn(i,
+           name(door) + " is " + phrases_.length(door.width) + " wide; write its clear width in the building's unit");
       return;
     }
     if (!lines.width_given) return;

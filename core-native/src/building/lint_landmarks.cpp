@@ -55,8 +55,9 @@ class LandmarkLint {
     for (std::size_t i = 0; i < building_.rooms.size(); ++i) {
       for (const std::string_view keyword : kKeywords) {
         if (building_.rooms[i].id != keyword) continue;
-        findings_.warn(assembly_.source.rooms[i].file, 0,
-                       "the room's id is a keyword of building.cfg, where no door line can start with it; rename the room");
+        findings_.warn(
+            assembly_.source.rooms[i].file, 0,
+            "the room's id is a keyword of building.cfg, where no door line can start with it; rename the room");
       }
     }
   }

@@ -82,8 +82,9 @@ class RoomLint {
 
   void lint_stray_elements() {
     for (const std::size_t wall : floor_.outside_walls) {
-      warn(lines_[wall], "the wall stands outside the floor that the other walls enclose, where no echo finds it; "
-                         "remove it or close the outline around it");
+      warn(lines_[wall],
+           "the wall stands outside the floor that the other walls enclose, where no echo finds it; "
+           "remove it or close the outline around it");
     }
     for (const Located<Segment>& reflector : source_.reflectors) {
       const Segment& s = reflector.what;
@@ -134,7 +135,8 @@ class RoomLint {
       if (place.corner || place.oblique) {
         warn(listed.line, here + " is a corner, since the walls turn towards the floor there; write '2 x y'");
       } else if (!is_on_an_element(listed.what)) {
-        warn(listed.line, here + " stands on no wall; move it to a door frame or to where walls turn away, or remove it");
+        warn(listed.line,
+             here + " stands on no wall; move it to a door frame or to where walls turn away, or remove it");
       }
     }
   }

@@ -11,9 +11,9 @@ class Phrases {
  public:
   explicit Phrases(LengthUnit unit) : unit_(unit) {}
 
-  [[nodiscard]] std::string length(double metres) const;  ///< `0.7 ft`
+  [[nodiscard]] std::string length(double metres) const;       ///< `0.7 ft`
   [[nodiscard]] std::string area(double square_metres) const;  ///< `12.5 square ft`
-  [[nodiscard]] std::string point(Vec2 metres) const;     ///< `(4, 6.45)`, as the file has it.
+  [[nodiscard]] std::string point(Vec2 metres) const;          ///< `(4, 6.45)`, as the file has it.
 
  private:
   LengthUnit unit_;

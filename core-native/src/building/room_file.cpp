@@ -80,7 +80,8 @@ RoomSource read_room_file(const std::filesystem::path& file, std::string id, Len
       parse_element(parser, reader.line(), metres_per(unit), room);
     }
     if (parser.problem()) {
-      const std::string_view form = is_counts ? "the first line must be 'walls corners edges [reflectors]'" : kLineForms;
+      const std::string_view form =
+          is_counts ? "the first line must be 'walls corners edges [reflectors]'" : kLineForms;
       findings.unusable(room.file, reader.line(), *parser.problem() + "; " + std::string(form));
       room.readable = false;
     }

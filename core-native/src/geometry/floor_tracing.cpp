@@ -51,8 +51,8 @@ std::vector<Vec2> without_straight_vertices(const std::vector<Vec2>& loop) {
     const Vec2 before = out.empty() ? loop.back() : out.back();
     const Vec2 after = loop[(i + 1) % loop.size()];
     const Vec2 way = after - before;
-    const bool straight = std::abs(cross(way, loop[i] - before)) <= 1e-7 * norm(way) &&
-                          dot(loop[i] - before, after - loop[i]) > 0.0;
+    const bool straight =
+        std::abs(cross(way, loop[i] - before)) <= 1e-7 * norm(way) && dot(loop[i] - before, after - loop[i]) > 0.0;
     if (!straight) out.push_back(loop[i]);
   }
   return out.size() < 3 ? loop : out;
@@ -61,6 +61,7 @@ std::vector<Vec2> without_straight_vertices(const std::vector<Vec2>& loop) {
 class FloorTracer {
  public:
   explicit FloorTracer(std::span<const Segment> walls) : walls_(walls), graph_(build_wall_graph(walls)) {
+    if (graph_.tangled) return;
     all_faces_ = walk_faces(graph_, std::vector<bool>(graph_.edges.size(), true));
     bounds_.resize(graph_.edges.size());
     for (std::size_t e = 0; e < bounds_.size(); ++e) {
@@ -97,19 +98,11 @@ class FloorTracer {
     }
     for (const WallGraph::Edge& edge : graph_.edges) {
       for (const Index vertex : {edge.from, edge.to}) {
-        if (degree[vertex] == 1) out.free_ends.push_back({edge.wall, at(vertex), gap_at(edge.wall, at(vertex))});
+        if (degree[vertex] == 1) out.free_ends.push_back({edge.wall, at(vertex)});
       }
     }
     std::sort(out.free_ends.begin(), out.free_ends.end(),
               [](const FreeEnd& a, const FreeEnd& b) { return a.wall < b.wall; });
-  }
-
-  [[nodiscard]] double gap_at(std::size_t wall, Vec2 end) const {
-    double gap = std::numeric_limits<double>::infinity();
-    for (std::size_t other = 0; other < walls_.size(); ++other) {
-      if (other != wall) gap = std::min(gap, distance(walls_[other], end));
-    }
-    return gap;
   }
 
   void collect_loops() {
@@ -125,8 +118,8 @@ class FloorTracer {
   }
 
   [[nodiscard]] const Loop* largest_loop() const {
-    const auto largest = std::max_element(loops_.begin(), loops_.end(),
-                                          [](const Loop& a, const Loop& b) { return a.area < b.area; });
+    const auto largest =
+        std::max_element(loops_.begin(), loops_.end(), [](const Loop& a, const Loop& b) { return a.area < b.area; });
     return largest == loops_.end() || largest->area < kSmallestFloor ? nullptr : &*largest;
   }
 
@@ -143,9 +136,8 @@ class FloorTracer {
       if (bounds_[e]) continue;
       const Segment edge{at(graph_.edges[e].from), at(graph_.edges[e].to)};
       const Vec2 middle = 0.5 * (edge.a + edge.b);
-      const bool stray = std::none_of(loops_.begin(), loops_.end(), [&](const Loop& loop) {
-        return loop.area > 0.0 && inside(loop, middle);
-      });
+      const bool stray = std::none_of(loops_.begin(), loops_.end(),
+                                      [&](const Loop& loop) { return loop.area > 0.0 && inside(loop, middle); });
       if (stray) length += edge.length();
     }
     return length;
@@ -155,7 +147,8 @@ class FloorTracer {
   [[nodiscard]] std::vector<const Loop*> with_holes(const Loop& floor) const {
     std::vector<const Loop*> out{&floor};
     for (const Loop& hole : loops_) {
-      if (hole.area < 0.0 && hole.component != floor.component && innermost_around(hole) == &floor) out.push_back(&hole);
+      if (hole.area < 0.0 && hole.component != floor.component && innermost_around(hole) == &floor)
+        out.push_back(&hole);
     }
     return out;
   }
@@ -224,14 +217,22 @@ class FloorTracer {
   std::span<const Segment> walls_;
   WallGraph graph_;
   FaceWalks all_faces_;
-  std::vector<bool> bounds_;     ///< By edge: has different faces on its two sides.
+  std::vector<bool> bounds_;  ///< By edge: has different faces on its two sides.
   std::vector<Loop> loops_;
-  std::vector<Index> component_; ///< By vertex: the connected piece of the graph without screens.
-  std::vector<bool> on_floor_;   ///< By walk of all_faces_.
+  std::vector<Index> component_;  ///< By vertex: the connected piece of the graph without screens.
+  std::vector<bool> on_floor_;    ///< By walk of all_faces_.
 };
 
 }  // namespace
 
 FloorTrace trace_floor(std::span<const Segment> walls) { return FloorTracer(walls).trace(); }
+
+double gap_at(std::span<const Segment> walls, const FreeEnd& end) {
+  double gap = std::numeric_limits<double>::infinity();
+  for (std::size_t other = 0; other < walls.size(); ++other) {
+    if (other != end.wall) gap = std::min(gap, distance(walls[other], end.at));
+  }
+  return gap;
+}
 
 }  // namespace echoway

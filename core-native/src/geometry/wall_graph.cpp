@@ -17,6 +17,18 @@ using Index = WallGraph::Index;
 /// Crossings that a room may have before its walls count as a tangle: bounds memory and time on hostile input.
 constexpr std::size_t kMaxCrossings = 5000;
 
+struct Box {
+  Vec2 low{};
+  Vec2 high{};
+
+  explicit Box(const Segment& s)
+      : low{std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y)}, high{std::max(s.a.x, s.b.x), std::max(s.a.y, s.b.y)} {}
+
+  [[nodiscard]] bool is_within(double reach, Vec2 p) const noexcept {
+    return p.x >= low.x - reach && p.x <= high.x + reach && p.y >= low.y - reach && p.y <= high.y + reach;
+  }
+};
+
 /// A vertex on a wall, `t` metres from the wall's first end.
 struct Stop {
   double t = 0.0;
@@ -25,7 +37,8 @@ struct Stop {
 
 class GraphBuilder {
  public:
-  explicit GraphBuilder(std::span<const Segment> walls) : walls_(walls), stops_(walls.size()) {}
+  explicit GraphBuilder(std::span<const Segment> walls)
+      : walls_(walls), boxes_(walls.begin(), walls.end()), stops_(walls.size()) {}
 
   WallGraph build() {
     for (std::size_t i = 0; i < walls_.size(); ++i) {
@@ -33,14 +46,15 @@ class GraphBuilder {
       add_stop(i, walls_[i].b);
     }
     split_where_walls_meet();
+    if (graph_.tangled) return std::move(graph_);
     make_edges();
     if (snap_free_ends()) make_edges();
     return std::move(graph_);
   }
 
  private:
-  /// The vertex at `p`, new when there is none within kSamePoint. The grid's cells are as wide as that distance, so that
-  /// only the nine around `p` can hold it.
+  /// The vertex at `p`, new when there is none within kSamePoint. The grid's cells are as wide as that distance, so
+  /// that only the nine around `p` can hold it.
   Index vertex_at(Vec2 p) {
     const auto cell = [](double v) { return static_cast<std::int64_t>(std::floor(v / kSamePoint)); };
     const std::int64_t cx = cell(p.x);
@@ -68,8 +82,8 @@ class GraphBuilder {
   void split_where_walls_meet() {
     std::vector<std::size_t> order(walls_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto left = [this](std::size_t i) { return std::min(walls_[i].a.x, walls_[i].b.x); };
-    const auto right = [this](std::size_t i) { return std::max(walls_[i].a.x, walls_[i].b.x); };
+    const auto left = [this](std::size_t i) { return boxes_[i].low.x; };
+    const auto right = [this](std::size_t i) { return boxes_[i].high.x; };
     std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
       return std::pair{left(i), i} < std::pair{left(j), j};
     });
@@ -83,8 +97,7 @@ class GraphBuilder {
   void split_pair(std::size_t i, std::size_t j) {
     const Segment& p = walls_[i];
     const Segment& q = walls_[j];
-    if (std::min(p.a.y, p.b.y) > std::max(q.a.y, q.b.y) + kSamePoint) return;
-    if (std::min(q.a.y, q.b.y) > std::max(p.a.y, p.b.y) + kSamePoint) return;
+    if (boxes_[i].low.y > boxes_[j].high.y + kSamePoint || boxes_[j].low.y > boxes_[i].high.y + kSamePoint) return;
     bool touch = false;
     for (const Vec2 end : {q.a, q.b}) touch |= split_at(i, end);
     for (const Vec2 end : {p.a, p.b}) touch |= split_at(j, end);
@@ -112,8 +125,9 @@ class GraphBuilder {
     edges.clear();
     for (std::size_t wall = 0; wall < stops_.size(); ++wall) {
       std::vector<Stop>& stops = stops_[wall];
-      std::sort(stops.begin(), stops.end(),
-                [](const Stop& a, const Stop& b) { return std::pair{a.t, a.vertex} < std::pair{b.t, b.vertex}; });
+      std::sort(stops.begin(), stops.end(), [](const Stop& a, const Stop& b) {
+        return std::pair{a.t, a.vertex} < std::pair{b.t, b.vertex};
+      });
       for (std::size_t k = 1; k < stops.size(); ++k) {
         const auto [low, high] = std::minmax(stops[k - 1].vertex, stops[k].vertex);
         if (low != high) edges.push_back({low, high, static_cast<Index>(wall)});
@@ -148,7 +162,7 @@ class GraphBuilder {
     std::optional<std::size_t> nearest;
     double best = kSnapDistance;
     for (std::size_t other = 0; other < walls_.size(); ++other) {
-      if (other == wall) continue;
+      if (other == wall || !boxes_[other].is_within(kSnapDistance, from)) continue;
       const double d = distance(walls_[other], from);
       if (d <= best && d > 0.0) {
         best = d;
@@ -161,6 +175,7 @@ class GraphBuilder {
     for (Stop& stop : stops_[wall]) {
       if (stop.vertex == vertex) stop.vertex = target;
     }
+    degree.resize(graph_.vertices.size(), 0);
     degree[vertex] = 0;
     ++degree[target];
     graph_.snapped.push_back({wall, from, distance(from, to)});
@@ -183,6 +198,7 @@ class GraphBuilder {
   }
 
   std::span<const Segment> walls_;
+  std::vector<Box> boxes_;
   std::vector<std::vector<Stop>> stops_;
   std::map<std::pair<std::int64_t, std::int64_t>, Index> grid_;
   std::size_t crossings_ = 0;

@@ -12,9 +12,12 @@ constexpr std::array kTrackStates{TrackState::searching, TrackState::tracking, T
 
 std::string_view to_word(MotionKind kind) noexcept {
   switch (kind) {
-    case MotionKind::yaw_rate: return "yaw_rate_dps";
-    case MotionKind::heading: return "heading_deg";
-    case MotionKind::step: break;
+    case MotionKind::yaw_rate:
+      return "yaw_rate_dps";
+    case MotionKind::heading:
+      return "heading_deg";
+    case MotionKind::step:
+      break;
   }
   return "step";
 }
@@ -28,9 +31,12 @@ std::optional<MotionKind> motion_kind_from(std::string_view word) noexcept {
 
 const char* to_string(TrackState state) noexcept {
   switch (state) {
-    case TrackState::tracking: return "tracking";
-    case TrackState::lost: return "lost";
-    case TrackState::searching: break;
+    case TrackState::tracking:
+      return "tracking";
+    case TrackState::lost:
+      return "lost";
+    case TrackState::searching:
+      break;
   }
   return "searching";
 }

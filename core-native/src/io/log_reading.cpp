@@ -14,10 +14,10 @@ namespace {
 
 using Problem = std::optional<std::string>;
 
-constexpr double kMaxTime = 1e12;          ///< Seconds; room for any epoch, and microseconds still resolve.
-constexpr double kMaxLength = 1e8;         ///< Metres, as for coordinates of a building.
-constexpr double kMaxRange = 1e4;          ///< Metres: catches a log in millimetres, passes any echo.
-constexpr double kMaxAngle = 1e9;          ///< Degrees; a drifting heading may count many turns.
+constexpr double kMaxTime = 1e12;   ///< Seconds; room for any epoch, and microseconds still resolve.
+constexpr double kMaxLength = 1e8;  ///< Metres, as for coordinates of a building.
+constexpr double kMaxRange = 1e4;   ///< Metres: catches a log in millimetres, passes any echo.
+constexpr double kMaxAngle = 1e9;   ///< Degrees; a drifting heading may count many turns.
 
 /// The time of a row; rows must come in order of time, equal times are fine.
 class Clock {
@@ -41,7 +41,8 @@ Problem read_number(const csv::Row& row, std::size_t column, double limit, doubl
   return std::nullopt;
 }
 
-// --- Scan logs ---------------------------------------------------------------------------------------------------------
+// --- Scan logs
+// ---------------------------------------------------------------------------------------------------------
 
 struct BeltKey {
   std::string_view key;
@@ -90,7 +91,8 @@ Problem read_firing(const csv::Row& row, const BeltHeader& belt, Clock& clock, F
   return std::nullopt;
 }
 
-// --- Motion, truth and tracks ------------------------------------------------------------------------------------------
+// --- Motion, truth and tracks
+// ------------------------------------------------------------------------------------------
 
 Problem read_motion(const csv::Row& row, Clock& clock, MotionHint& hint) {
   if (auto problem = clock.read(row, hint.time_s)) return problem;

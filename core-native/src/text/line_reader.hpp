@@ -15,8 +15,8 @@ namespace echoway::text {
 /// Longest line that any of our files may have, bytes.
 inline constexpr std::size_t kMaxLineLength = 4096;
 
-/// Reads a text file line by line in bounded memory. A byte order mark is skipped; CR LF and LF both end a line; the last
-/// line may lack its end.
+/// Reads a text file line by line in bounded memory. A byte order mark is skipped; CR LF and LF both end a line; the
+/// last line may lack its end.
 class LineReader {
  public:
   static Result<LineReader> open(const std::filesystem::path& file);

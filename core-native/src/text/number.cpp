@@ -1,12 +1,13 @@
 #include "text/number.hpp"
 
+#include <locale.h>
+
 #include <array>
 #include <charconv>
 #include <clocale>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <locale.h>
 
 namespace echoway::text {
 namespace {
@@ -62,8 +63,9 @@ std::optional<double> parse_number(std::string_view token) noexcept {
 }
 
 std::optional<long long> parse_integer(std::string_view token) noexcept {
-  if (!token.empty() && token.front() == '+') token.remove_prefix(1);
-  if (token.empty() || !(is_digit(token.front()) || token.front() == '-')) return std::nullopt;
+  const std::size_t digits = skip_sign(token, 0);
+  if (digits == token.size() || !is_digit(token[digits])) return std::nullopt;
+  if (token.front() == '+') token.remove_prefix(1);  // from_chars() knows no plus
   long long value = 0;
   const char* end = token.data() + token.size();
   const auto [stop, error] = std::from_chars(token.data(), end, value);

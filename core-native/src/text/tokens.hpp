@@ -9,7 +9,7 @@ namespace echoway::text {
 
 /// One word of a line of a building file.
 struct Token {
-  std::string text;     ///< Without quotes and escapes.
+  std::string text;  ///< Without quotes and escapes.
   bool quoted = false;
 };
 

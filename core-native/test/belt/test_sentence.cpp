@@ -1,5 +1,3 @@
-#include "echoway/belt/sentence.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "echoway/belt/sentence.hpp"
 #include "echoway/random.hpp"
 
 namespace echoway {
@@ -43,7 +42,8 @@ std::string belt_stream(int count, unsigned first_seq = 0) {
   return out;
 }
 
-// --- One sentence of each kind; checksums computed with another implementation (Python's binascii.crc_hqx) -------------
+// --- One sentence of each kind; checksums computed with another implementation (Python's binascii.crc_hqx)
+// -------------
 
 TEST(Crc16, MatchesThePublishedCheckValue) { EXPECT_EQ(crc16("123456789"), 0x29B1); }
 
@@ -85,7 +85,8 @@ TEST(RangeOf, IsHalfTheWayOfTheSound) {
   EXPECT_EQ(range_m(RangeSentence{}), Firing::kNoEcho);
 }
 
-// --- Encoder -----------------------------------------------------------------------------------------------------------
+// --- Encoder
+// -----------------------------------------------------------------------------------------------------------
 
 TEST(Encode, WritesWhatTheWireProtocolShows) {
   EXPECT_EQ(encode(EchoSentence{65535, 14, {}}).text(), "$EWE,65535,14,*2BA0\r\n");
@@ -112,7 +113,8 @@ TEST(Encode, AFirmwaresNameCannotBreakTheSentence) {
   EXPECT_EQ(std::get<StatusSentence>(sentences[0]).firmware_name(), "abcde");
 }
 
-// --- What must not pass ------------------------------------------------------------------------------------------------
+// --- What must not pass
+// ------------------------------------------------------------------------------------------------
 
 TEST(SentenceDecoder, NeverUsesABadChecksum) {
   SentenceDecoder decoder;
@@ -146,7 +148,8 @@ TEST(SentenceDecoder, DropsASentenceOfMoreThan82Characters) {
   EXPECT_EQ(feed(decoder, "$EWF,7,2*5C6E\r\n").size(), 1U) << "the next sentence is found again";
 }
 
-// --- Cut, merged, flipped and flooded bytes ----------------------------------------------------------------------------
+// --- Cut, merged, flipped and flooded bytes
+// ----------------------------------------------------------------------------
 
 TEST(SentenceDecoder, GivesTheSameWhereverTheBytesAreCut) {
   const std::string stream = belt_stream(20);
@@ -254,7 +257,8 @@ TEST(SentenceDecoder, AFloodWithoutASentenceIsCountedAndForgotten) {
   EXPECT_EQ(feed(decoder, belt_stream(1)).size(), 1U);
 }
 
-// --- Sequence numbers --------------------------------------------------------------------------------------------------
+// --- Sequence numbers
+// --------------------------------------------------------------------------------------------------
 
 TEST(SentenceDecoder, CountsFiringsLostOnTheWay) {
   SentenceDecoder decoder;

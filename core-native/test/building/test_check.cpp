@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "echoway/building/loader.hpp"
-#include "support/temp_dir.hpp"
+#include "support/process.hpp"
 
 namespace echoway {
 namespace {
@@ -44,7 +44,7 @@ class CheckBuilding : public testing::Test {
     return out;
   }
 
-  test::TempDir dir_;
+  test::TemporaryFolder dir_;
 };
 
 TEST_F(CheckBuilding, FindsNothingInAGoodBuilding) {
@@ -52,7 +52,8 @@ TEST_F(CheckBuilding, FindsNothingInAGoodBuilding) {
   EXPECT_THAT(findings(), IsEmpty());
 }
 
-// --- Unusable ----------------------------------------------------------------------------------------------------------
+// --- Unusable
+// ----------------------------------------------------------------------------------------------------------
 
 TEST_F(CheckBuilding, AFolderThatIsNotThere) {
   const std::vector<Finding> all = check_building(dir_.path() / "nowhere");
@@ -83,13 +84,13 @@ TEST_F(CheckBuilding, MalformedLinesOfARoom) {
        "4 0 0\n1 0 0 10\n1 10 0 10 10 10\n7 1 2\n1 0 ten 0 0\n1 0 nan 0 0\n1 0 1e999 0 0\n1 0x10 0 0 0\n1 1,5 0 0 0\n"
        "2 1\n");
   config("");
-  EXPECT_THAT(findings(), ElementsAre(HasSubstr("room-A.room:2: y2 is missing"),
-                                      HasSubstr("room-A.room:3: nothing may follow before '10'"),
-                                      HasSubstr("room-A.room:4: '7' is no kind of element"),
-                                      HasSubstr("room-A.room:5: y1 is 'ten', not a finite number"),
-                                      HasSubstr("room-A.room:6: y1 is 'nan'"), HasSubstr("room-A.room:7: y1 is '1e999'"),
-                                      HasSubstr("room-A.room:8: x1 is '0x10'"), HasSubstr("room-A.room:9: x1 is '1,5'"),
-                                      HasSubstr("room-A.room:10: y is missing")));
+  EXPECT_THAT(
+      findings(),
+      ElementsAre(HasSubstr("room-A.room:2: y2 is missing"), HasSubstr("room-A.room:3: nothing may follow before '10'"),
+                  HasSubstr("room-A.room:4: '7' is no kind of element"),
+                  HasSubstr("room-A.room:5: y1 is 'ten', not a finite number"), HasSubstr("room-A.room:6: y1 is 'nan'"),
+                  HasSubstr("room-A.room:7: y1 is '1e999'"), HasSubstr("room-A.room:8: x1 is '0x10'"),
+                  HasSubstr("room-A.room:9: x1 is '1,5'"), HasSubstr("room-A.room:10: y is missing")));
 }
 
 TEST_F(CheckBuilding, CoordinatesThatNoBuildingHas) {
@@ -118,8 +119,7 @@ TEST_F(CheckBuilding, WallsThatDoNotClose) {
 }
 
 TEST_F(CheckBuilding, AColumnDoesNotMakeAFloorOfAnOpenOutline) {
-  room("A",
-       "7 0 0\n1 0 0 10 0\n1 10 0 10 10\n1 10 10 0 10\n1 4 4 5 4\n1 5 4 5 5\n1 5 5 4 5\n1 4 5 4 4\n");
+  room("A", "7 0 0\n1 0 0 10 0\n1 10 0 10 10\n1 10 10 0 10\n1 4 4 5 4\n1 5 4 5 5\n1 5 5 4 5\n1 4 5 4 4\n");
   config("");
   EXPECT_THAT(findings(), Contains(AllOf(HasSubstr("UNUSABLE"), HasSubstr("do not close"))));
 }
@@ -135,15 +135,15 @@ TEST_F(CheckBuilding, MalformedLinesOfTheConfiguration) {
   config(
       "units furlongs\nA 10 5 B 0\nfrobnicate 3\ndoor A 1 2 B 3 4\nroom A level two\nplace A 1 1 Lectern\n"
       "exit A 1 x\nframe A 0 0\nname \"open\nplace A 1 1 \"x\" y\nroom A floor 2\n");
-  EXPECT_THAT(findings(),
-              ElementsAre(HasSubstr("building.cfg:1: the unit is 'furlongs', not ft or m"),
-                          HasSubstr("building.cfg:2: "), HasSubstr("building.cfg:3: 'frobnicate'"),
-                          HasSubstr("building.cfg:4: width is missing"), HasSubstr("building.cfg:5: the level is 'two'"),
-                          HasSubstr("building.cfg:6: the name must stand in quotes"),
-                          HasSubstr("building.cfg:7: y is 'x'"), HasSubstr("building.cfg:8: the rotation"),
-                          HasSubstr("building.cfg:9: a quote is not closed"),
-                          HasSubstr("building.cfg:10: nothing may follow before 'y'"),
-                          HasSubstr("building.cfg:11: expected 'level'")));
+  EXPECT_THAT(
+      findings(),
+      ElementsAre(HasSubstr("building.cfg:1: the unit is 'furlongs', not ft or m"), HasSubstr("building.cfg:2: "),
+                  HasSubstr("building.cfg:3: 'frobnicate'"), HasSubstr("building.cfg:4: width is missing"),
+                  HasSubstr("building.cfg:5: the level is 'two'"),
+                  HasSubstr("building.cfg:6: the name must stand in quotes"), HasSubstr("building.cfg:7: y is 'x'"),
+                  HasSubstr("building.cfg:8: the rotation"), HasSubstr("building.cfg:9: a quote is not closed"),
+                  HasSubstr("building.cfg:10: nothing may follow before 'y'"),
+                  HasSubstr("building.cfg:11: expected 'level'")));
 }
 
 TEST_F(CheckBuilding, TwoUnits) {
@@ -162,7 +162,8 @@ TEST_F(CheckBuilding, UnusableFindingsComeFirst) {
   EXPECT_THAT(all[1], HasSubstr("building.cfg:1"));
 }
 
-// --- Walls -------------------------------------------------------------------------------------------------------------
+// --- Walls
+// -------------------------------------------------------------------------------------------------------------
 
 TEST_F(CheckBuilding, WallsWithoutLength) {
   room("A", "5 0 0\n1 0 0 10 0\n1 10 0 10 10\n1 10 10 0 10\n1 0 10 0 0\n1 3 3 3 3\n");
@@ -208,7 +209,8 @@ TEST_F(CheckBuilding, ScreensAndColumnsAreFine) {
   EXPECT_THAT(findings(), IsEmpty());
 }
 
-// --- Corners and edges -------------------------------------------------------------------------------------------------
+// --- Corners and edges
+// -------------------------------------------------------------------------------------------------
 
 constexpr std::string_view kEllWalls = "1 0 0 10 0\n1 10 0 10 5\n1 10 5 5 5\n1 5 5 5 10\n1 5 10 0 10\n1 0 10 0 0\n";
 
@@ -246,7 +248,8 @@ TEST_F(CheckBuilding, CornersThatAreNoRightAnglesAreFine) {
   EXPECT_THAT(findings(), IsEmpty());
 }
 
-// --- Doors -------------------------------------------------------------------------------------------------------------
+// --- Doors
+// -------------------------------------------------------------------------------------------------------------
 
 TEST_F(CheckBuilding, ADoorOffTheWall) {
   two_rooms();
@@ -272,8 +275,8 @@ TEST_F(CheckBuilding, AOneSidedDoorAmongOthers) {
   two_rooms();
   room("C", kSquare);
   config("A 10 5 B 0 5\nB 0 5 A 10 5\nC 5 0 B 5 10\n");
-  EXPECT_THAT(findings(), ElementsAre(AllOf(HasSubstr("building.cfg:3: "), HasSubstr("is one-sided"),
-                                            HasSubstr("from room 'B'"))));
+  EXPECT_THAT(findings(),
+              ElementsAre(AllOf(HasSubstr("building.cfg:3: "), HasSubstr("is one-sided"), HasSubstr("from room 'B'"))));
 }
 
 TEST_F(CheckBuilding, LinesThatDisagreeAboutADoor) {
@@ -315,7 +318,8 @@ TEST_F(CheckBuilding, TwoDoorsInOnePlace) {
   EXPECT_THAT(findings(), Contains(HasSubstr("building.cfg:2: the door stands where the one on line 1 stands")));
 }
 
-// --- Levels ------------------------------------------------------------------------------------------------------------
+// --- Levels
+// ------------------------------------------------------------------------------------------------------------
 
 TEST_F(CheckBuilding, ARoomThatNoDoorReaches) {
   two_rooms();
@@ -356,7 +360,8 @@ TEST_F(CheckBuilding, ALoopOfDoorsThatDoesNotClose) {
   EXPECT_NEAR(building->loop_closures[0].error, feet(2.0), 1e-9);
 }
 
-// --- Sizes, names, places ----------------------------------------------------------------------------------------------
+// --- Sizes, names, places
+// ----------------------------------------------------------------------------------------------
 
 TEST_F(CheckBuilding, AbsurdUnits) {
   room("A", "4 0 0\n1 0 0 3 0\n1 3 0 3 3\n1 3 3 0 3\n1 0 3 0 0\n");

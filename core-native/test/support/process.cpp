@@ -47,7 +47,7 @@ TemporaryFolder::~TemporaryFolder() {
   if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
 }
 
-std::filesystem::path TemporaryFolder::write(const std::string& name, const std::string& text) const {
+std::filesystem::path TemporaryFolder::write(std::string_view name, std::string_view text) const {
   const std::filesystem::path file = path_ / name;
   std::ofstream(file, std::ios::binary) << text;
   return file;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace echoway::test {
@@ -41,7 +42,7 @@ class TemporaryFolder {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// Writes `text` to the file `name` in the folder and gives its path.
-  [[nodiscard]] std::filesystem::path write(const std::string& name, const std::string& text) const;
+  std::filesystem::path write(std::string_view name, std::string_view text) const;
 
  private:
   std::filesystem::path path_;

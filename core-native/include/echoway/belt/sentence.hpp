@@ -19,9 +19,9 @@ inline constexpr std::size_t kMaxSentenceLength = 82;
 
 /// `$EWE,<seq>,<sensor>,<tof_us>`: one firing, with the time until the echo came back.
 struct EchoSentence {
-  std::uint16_t seq = 0;                   ///< Counts firings modulo 65536.
-  std::uint8_t sensor = 0;                 ///< 0 ... kMaxSensors - 1.
-  std::optional<std::uint32_t> tof_us;     ///< There and back, microseconds; nothing = no echo.
+  std::uint16_t seq = 0;                ///< Counts firings modulo 65536.
+  std::uint8_t sensor = 0;              ///< 0 ... kMaxSensors - 1.
+  std::optional<std::uint32_t> tof_us;  ///< There and back, microseconds; nothing = no echo.
   friend bool operator==(const EchoSentence&, const EchoSentence&) = default;
 };
 
@@ -29,16 +29,16 @@ struct EchoSentence {
 struct RangeSentence {
   std::uint16_t seq = 0;
   std::uint8_t sensor = 0;
-  std::optional<std::uint32_t> range_mm;   ///< Nothing = no echo.
+  std::optional<std::uint32_t> range_mm;  ///< Nothing = no echo.
   friend bool operator==(const RangeSentence&, const RangeSentence&) = default;
 };
 
 /// `$EWS,<sensors>,<firmware>,<temp_dC>,<battery_mV>`: about once a second; a belt leaves empty what it does not know.
 struct StatusSentence {
-  std::optional<int> sensors;              ///< 1 ... kMaxSensors.
-  std::array<char, 24> firmware{};         ///< NUL-terminated, cut to fit.
-  std::optional<int> temperature_dc;       ///< Tenths of a degree Celsius, -1000 ... 2000.
-  std::optional<int> battery_mv;           ///< 0 ... 100,000.
+  std::optional<int> sensors;         ///< 1 ... kMaxSensors.
+  std::array<char, 24> firmware{};    ///< NUL-terminated, cut to fit.
+  std::optional<int> temperature_dc;  ///< Tenths of a degree Celsius, -1000 ... 2000.
+  std::optional<int> battery_mv;      ///< 0 ... 100,000.
 
   [[nodiscard]] std::string_view firmware_name() const noexcept { return firmware.data(); }
   [[nodiscard]] std::optional<double> temperature_c() const noexcept {
@@ -83,8 +83,8 @@ struct SentenceCounts {
   friend bool operator==(const SentenceCounts&, const SentenceCounts&) = default;
 };
 
-/// Sequence numbers that jump ahead by more than this are taken for a belt that started over, not for firings lost: four
-/// minutes at 16 a second.
+/// Sequence numbers that jump ahead by more than this are taken for a belt that started over, not for firings lost:
+/// four minutes at 16 a second.
 inline constexpr std::uint16_t kLargestSeqGap = 4096;
 
 /// Turns a serial line's bytes, cut anywhere, into sentences.

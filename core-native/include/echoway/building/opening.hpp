@@ -12,14 +12,14 @@ inline constexpr double kDoorReach = feet(3.0);
 
 /// The stretch of a wall that a door opens, seen from one of the two rooms that the door joins.
 struct DoorOpening {
-  std::size_t door = 0;          ///< Index into Building::doors.
-  RoomIndex beyond = kNoRoom;    ///< The room on the other side.
-  std::size_t wall = 0;          ///< Index into Room::walls: the wall nearest to the door's centre.
-  Segment span{};                ///< On that wall and in its direction, in the room's frame; never beyond its ends.
+  std::size_t door = 0;        ///< Index into Building::doors.
+  RoomIndex beyond = kNoRoom;  ///< The room on the other side.
+  std::size_t wall = 0;        ///< Index into Room::walls: the wall nearest to the door's centre.
+  Segment span{};              ///< On that wall and in its direction, in the room's frame; never beyond its ends.
 };
 
-/// Openings of every room, by RoomIndex. A door's position may lie off the wall by half the wall's thickness: its foot on
-/// the wall is the opening's centre. Doors off all walls, or of a width that is not positive, are left out.
+/// Openings of every room, by RoomIndex. A door's position may lie off the wall by half the wall's thickness: its foot
+/// on the wall is the opening's centre. Doors off all walls, or of a width that is not positive, are left out.
 [[nodiscard]] std::vector<std::vector<DoorOpening>> find_openings(const Building& building);
 
 /// Where a door of `width` centred at `at` opens `room`; nothing when no wall is within kDoorReach.

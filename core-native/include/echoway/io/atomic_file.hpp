@@ -10,12 +10,12 @@
 
 namespace echoway {
 
-/// An output file that appears whole or not at all: it grows beside its place under a temporary name and is renamed into
-/// it by commit(). Without commit() (an error, an early return, an exception in a tool) nothing is left and a file that
-/// was there before stays as it was. Guards against failing processes and full disks, not against a power cut.
+/// An output file that appears whole or not at all: it grows beside its place under a temporary name and is renamed
+/// into it by commit(). Without commit() (an error, an early return, an exception in a tool) nothing is left and a file
+/// that was there before stays as it was. Guards against failing processes and full disks, not against a power cut.
 ///
-/// A path that names something other than a regular file (a terminal, a pipe, /dev/null) is written directly; a symbolic
-/// link is followed, not replaced.
+/// A path that names something other than a regular file (a terminal, a pipe, /dev/null) is written directly; a
+/// symbolic link is followed, not replaced.
 class AtomicFile {
  public:
   /// Fails when the folder does not exist, the path is a folder, or the place cannot be written.
@@ -30,8 +30,8 @@ class AtomicFile {
   /// A failure is remembered and reported by close() or commit().
   void write(std::string_view bytes) noexcept;
 
-  /// Everything is on its way to the disk and the file handle is free; commit() may still follow. For writing many files
-  /// that shall appear together.
+  /// Everything is on its way to the disk and the file handle is free; commit() may still follow. For writing many
+  /// files that shall appear together.
   Status close();
 
   /// Puts the file in its place. To be called once; nothing more can be written.
