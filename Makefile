@@ -25,6 +25,27 @@ core: setup ## Build the core, the simulator, the command line and the tests
 	@cd core-native && cmake --preset release >/dev/null
 	@cmake --build $(BUILD)/release -j$(JOBS)
 
+DEMO := $(BUILD)/demo
+DEMO_MAP := maps/torgersen-lab
+DEMO_START := 1,1.83,1.52,90
+
+.PHONY: demo
+demo: core ## The main job: a walk through the lab, what the wearer hears, the error, a picture
+	@mkdir -p $(DEMO)
+	@echo "A wearer walks through rooms 1, 2, 4, 2, 5 and 2 of the lab (simulated, furnished). They hear:"
+	@$(ECHOWAY) simulate --building $(DEMO_MAP) --walk $(DEMO_MAP)/walks/thesis.walk --out $(DEMO)/walk
+	@$(ECHOWAY) locate --building $(DEMO_MAP) --scans $(DEMO)/walk.scans.csv --motion $(DEMO)/walk.motion.csv \
+	    --start $(DEMO_START) --track $(DEMO)/tracker.track.csv --cues $(DEMO)/cues.csv
+	@echo "The tracker against the truth:"
+	@$(ECHOWAY) score --building $(DEMO_MAP) --track $(DEMO)/tracker.track.csv --truth $(DEMO)/walk.truth.csv
+	@echo "The thesis's method on the same echoes:"
+	@$(ECHOWAY) locate --building $(DEMO_MAP) --scans $(DEMO)/walk.scans.csv --start $(DEMO_START) \
+	    --method thesis --track $(DEMO)/thesis.track.csv | tail -n 1
+	@$(ECHOWAY) score --building $(DEMO_MAP) --track $(DEMO)/thesis.track.csv --truth $(DEMO)/walk.truth.csv
+	@$(PYTHON) scripts/plot_track.py --echoway $(ECHOWAY) --building $(DEMO_MAP) --truth $(DEMO)/walk.truth.csv \
+	    --track $(DEMO)/tracker.track.csv --out $(DEMO)/walk.png
+	@echo "Picture: $(DEMO)/walk.png"
+
 .PHONY: test-core
 test-core: core ## The C++ tests
 	@mkdir -p $(RESULTS)

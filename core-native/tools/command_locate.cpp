@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "cue_collector.hpp"
 #include "echoway/building/loader.hpp"
+#include "echoway/io/atomic_file.hpp"
 #include "echoway/io/logs.hpp"
 #include "session_options.hpp"
 
@@ -19,6 +21,7 @@ struct LocateOptions {
   std::string scans;
   std::string motion;
   std::string track;
+  std::string cues;
 };
 
 TrackRow to_row(const Estimate& estimate, const Building& building) {
@@ -42,6 +45,14 @@ void replay(const ScanLog& scans, const std::vector<MotionHint>& hints, OnHint o
   }
 }
 
+Status write_cues(const std::vector<SpokenCue>& cues, const std::string& path) {
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return file.error();
+  file->write("time_s,kind,text\n");
+  for (const SpokenCue& cue : cues) file->write(fmt::format("{:.3f},{},{}\n", cue.time_s, cue.kind, csv_quoted(cue.text)));
+  return file->commit();
+}
+
 int locate(const LocateOptions& options) {
   Result<Building> building = load_building(options.session.building);
   if (!building) return bad_input(building.error());
@@ -59,6 +70,10 @@ int locate(const LocateOptions& options) {
   if (!opened) return bad_input(opened.error());
   Session& session = **opened;
 
+  if (!options.session.destination.empty()) {
+    if (const Status set = session.set_destination(options.session.destination); !set) return bad_input(set.error());
+  }
+  CueCollector voice(session, options.session.speech_style());
   std::vector<TrackRow> track;
   track.reserve(scans->firings.size());
   const auto begin = std::chrono::steady_clock::now();
@@ -68,10 +83,15 @@ int locate(const LocateOptions& options) {
         if (session.on_firing(firing) && session.estimate().room != kNoRoom) {
           track.push_back(to_row(session.estimate(), session.building()));
         }
+        voice.collect();
       });
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
 
   if (const Status written = write_track_log(track, options.track); !written) return bad_input(written.error());
+  if (!options.cues.empty()) {
+    if (const Status written = write_cues(voice.cues(), options.cues); !written) return bad_input(written.error());
+  }
+  for (const SpokenCue& cue : voice.cues()) fmt::print("{:8.2f} s  {}\n", cue.time_s, cue.text);
   fmt::print("{} firings, {} estimates in {:.3f} s: {:.1f} us a firing\n", scans->firings.size(), track.size(),
              took.count(), 1e6 * took.count() / static_cast<double>(std::max<std::size_t>(1, scans->firings.size())));
   return 0;
@@ -86,6 +106,7 @@ void add_locate(CLI::App& app, int& status) {
   command->add_option("--scans", options->scans, "Scan log (*.scans.csv)")->required();
   command->add_option("--motion", options->motion, "Motion log (*.motion.csv)");
   command->add_option("--track", options->track, "Track to write")->required();
+  command->add_option("--cues", options->cues, "What would be spoken and when, to write (time_s,kind,text)");
   command->callback([options, &status] { status = locate(*options); });
 }
 

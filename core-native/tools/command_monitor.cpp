@@ -37,7 +37,8 @@ struct MonitorOptions {
 
 class Monitor {
  public:
-  Monitor(Session& session, const MonitorOptions& options) : session_(session), options_(options) {}
+  Monitor(Session& session, const MonitorOptions& options)
+      : session_(session), options_(options), report_(session, options.session.speech_style()) {}
 
   int run() {
     Result<SerialPort> port = SerialPort::open(options_.port, options_.baud);
@@ -48,7 +49,7 @@ class Monitor {
       listen(*line);
       line.reset();
       session_.on_belt_detached(now());
-      report_.update(session_);
+      report_.update();
       if (!interrupted) line = wait_for_return();
     }
     return 0;
@@ -64,7 +65,7 @@ class Monitor {
       if (read.outcome == SerialPort::Outcome::closed) return;
       if (read.count > 0) session_.on_bytes(std::span(buffer).first(read.count), now());
       session_.on_tick(now());
-      report_.update(session_);
+      report_.update();
     }
   }
 
@@ -91,6 +92,9 @@ int monitor(const MonitorOptions& options) {
   if (!config) return bad_input(config.error());
   Result<std::unique_ptr<Session>> session = Session::open(std::move(*building), *config);
   if (!session) return bad_input(session.error());
+  if (!options.session.destination.empty()) {
+    if (const Status set = (*session)->set_destination(options.session.destination); !set) return bad_input(set.error());
+  }
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
   return Monitor(**session, options).run();

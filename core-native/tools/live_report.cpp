@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cstdio>
+#include <span>
 
 #include "echoway/io/logs.hpp"
 
@@ -13,25 +14,23 @@ constexpr double kPrintInterval = 1.0;
 
 }  // namespace
 
-void LiveReport::update(const Session& session) {
-  print_link(session.belt_health().link);
-  print_position(session);
+void LiveReport::update() {
+  print_cues();
+  print_position();
   std::fflush(stdout);
 }
 
-void LiveReport::print_link(BeltLink link) {
-  if (link == link_) return;
-  if (link == BeltLink::connected) fmt::print("Belt connected.\n");
-  if (link == BeltLink::lost) fmt::print("Belt disconnected.\n");
-  link_ = link;
+void LiveReport::print_cues() {
+  const std::size_t fresh = voice_.collect();
+  for (const SpokenCue& cue : std::span(voice_.cues()).last(fresh)) fmt::print("{}\n", cue.text);
 }
 
-void LiveReport::print_position(const Session& session) {
-  const Estimate& estimate = session.estimate();
+void LiveReport::print_position() {
+  const Estimate& estimate = session_.estimate();
   if (estimate.room == kNoRoom) return;
   const bool changed = estimate.room != room_ || estimate.state != state_;
   if (!changed && estimate.time_s - printed_at_ < kPrintInterval) return;
-  const Room& room = session.building().room(estimate.room);
+  const Room& room = session_.building().room(estimate.room);
   fmt::print("{:8.2f} s  room {} {}  x {:.2f} m  y {:.2f} m  heading {:.0f} deg  sigma {:.2f} m  {:.0f} %  {}\n",
              estimate.time_s, room.id, room.name, estimate.pose.position.x, estimate.pose.position.y,
              to_degrees(estimate.pose.heading), estimate.sigma_m, 100.0 * estimate.room_probability,

@@ -1,20 +1,22 @@
 #pragma once
 
+#include "cue_collector.hpp"
 #include "echoway/session.hpp"
 
 namespace echoway::tools {
 
-/// Prints, line by line, what a live wearer would want to know: where they are once a second, and every change of the
-/// belt's link and of the state at once.
+/// Prints, line by line, what a live wearer hears as it is spoken, and where they are once a second and at every change.
 class LiveReport {
  public:
-  void update(const Session& session);
+  LiveReport(Session& session, const SpeechStyle& style) : session_(session), voice_(session, style) {}
+  void update();
 
  private:
-  void print_link(BeltLink link);
-  void print_position(const Session& session);
+  void print_cues();
+  void print_position();
 
-  BeltLink link_ = BeltLink::absent;
+  Session& session_;
+  CueCollector voice_;
   RoomIndex room_ = kNoRoom;
   TrackState state_ = TrackState::searching;
   double printed_at_ = -1e300;

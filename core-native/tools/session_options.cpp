@@ -39,6 +39,14 @@ void SessionOptions::add_to(CLI::App& command) {
   command.add_option("--radius", radius_m, "From the wearer's axis to the transducers, metres")->check(CLI::Range(0.0, 2.0));
   command.add_option("--beam", beam_deg, "Full angle within which a plane wall answers, degrees")
       ->check(CLI::Range(0.1, 180.0));
+  command.add_option("--to", destination, "Guide the wearer to a place, an exit or a room; \"exit\" is the nearest one");
+  command.add_option("--language", language, "Of the cues")->check(CLI::IsMember({"en", "de", "fr"}))->capture_default_str();
+  command.add_option("--directions", directions, "How cues give directions")
+      ->check(CLI::IsMember({"sides", "clock", "degrees"}))
+      ->capture_default_str();
+  command.add_option("--lengths", lengths, "How cues give lengths")
+      ->check(CLI::IsMember({"feet", "metres", "steps"}))
+      ->capture_default_str();
   command.add_option("--seed", seed, "Seed of the locator's random numbers")->capture_default_str();
 }
 
@@ -61,6 +69,16 @@ Result<SessionConfig> SessionOptions::config(const Building& building_model, con
     config.start = *parsed;
   }
   return config;
+}
+
+SpeechStyle SessionOptions::speech_style() const {
+  SpeechStyle style;
+  style.language = language_of(language).value();
+  if (directions == "clock") style.direction = DirectionStyle::clock;
+  if (directions == "degrees") style.direction = DirectionStyle::degrees;
+  if (lengths == "metres") style.length = LengthStyle::metres;
+  if (lengths == "steps") style.length = LengthStyle::steps;
+  return style;
 }
 
 Result<Start> parse_start(const std::string& text, const Building& building) {

@@ -8,6 +8,7 @@
 #include "echoway/io/logs.hpp"
 #include "echoway/result.hpp"
 #include "echoway/session.hpp"
+#include "echoway/speech/speaker.hpp"
 
 namespace echoway::tools {
 
@@ -20,12 +21,17 @@ struct SessionOptions {
   std::optional<double> radius_m;
   std::optional<double> beam_deg;
   std::uint64_t seed = 1;
+  std::string destination;
+  std::string language = "en";
+  std::string directions = "sides";
+  std::string lengths = "feet";
 
   void add_to(CLI::App& command);
 
   /// Belt: the defaults, then what the log's header says, then the command line.
   [[nodiscard]] BeltConfig belt(const BeltHeader& header) const;
   [[nodiscard]] Result<SessionConfig> config(const Building& building, const BeltHeader& header) const;
+  [[nodiscard]] SpeechStyle speech_style() const;
 };
 
 /// `R[,x_m,y_m[,heading_deg]]`; a field left blank is unknown (`R,,,90`: the room and the heading).

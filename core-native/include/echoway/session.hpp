@@ -4,14 +4,17 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "echoway/belt/belt.hpp"
 #include "echoway/belt/belt_health.hpp"
 #include "echoway/building/building.hpp"
+#include "echoway/guidance/cue.hpp"
 #include "echoway/locate/estimate.hpp"
 #include "echoway/locate/locator.hpp"
 #include "echoway/motion/motion_hint.hpp"
 #include "echoway/result.hpp"
+#include "echoway/routing/route.hpp"
 
 namespace echoway {
 
@@ -34,7 +37,7 @@ struct SessionConfig {
 /// seconds on one monotonic clock. Output is read between calls; references stay valid until the next input.
 ///
 /// Guarantees: nothing throws; no input makes it crash, hang or emit a NaN; nothing is allocated after open() except by
-/// restart(); the same calls give the same output, bit for bit.
+/// restart() and when a destination is set; the same calls give the same output, bit for bit.
 class Session {
  public:
   /// Fails when the building is unusable or the configuration makes no sense (sensor count outside 1 ... kMaxSensors,
@@ -64,6 +67,24 @@ class Session {
 
   /// Forgets where the wearer is and starts over (e.g. the wearer says which entrance they stand at).
   Status restart(const Start& start);
+
+  // What the wearer wants. Each is answered by cues too; a failure says why in words for a log.
+  /// To a place, an exit or a room, by the name or id that a wearer would say ("Lectern", "4", "exit").
+  Status set_destination(std::string_view name, RoutePreferences preferences = {});
+  /// To the nearest way out.
+  Status way_out(RoutePreferences preferences = {});
+  /// Back along the wearer's own breadcrumbs.
+  Status back_track();
+  void clear_destination();
+  /// Answers with cues: room, facing, nearest door.
+  void where_am_i();
+
+  /// Takes the next cue that is to be spoken; false when there is none. Words for it: echoway/speech/speaker.hpp.
+  bool next_cue(Cue& cue);
+  /// The way to the destination from where the wearer is; empty without one.
+  [[nodiscard]] const Route& route() const;
+  /// Where the wearer has been, oldest first, thinned.
+  [[nodiscard]] std::span<const Spot> breadcrumbs() const;
 
   [[nodiscard]] const Building& building() const;
   [[nodiscard]] const SessionConfig& config() const;

@@ -6,10 +6,10 @@
 namespace echoway {
 namespace {
 
-// A sensor that reads less than this several times running is covered: a sleeve, a bag, a hand. The transducer itself
-// answers from 6 in (0.15 m); nobody walks this close to a wall for three rounds with a sensor square to it.
+// A sensor that reads less than this many times running is covered: a sleeve, a bag. The transducer itself answers from
+// 6 in (0.15 m). A swinging arm or a wall brushed past does not last ten rounds, so neither is reported.
 constexpr double kCoveredRange = 0.20;
-constexpr int kCoveredRun = 3;
+constexpr int kCoveredRun = 10;
 // A sensor that the belt skips for this many rounds of the others is dead.
 constexpr double kSkippedRounds = 3.0;
 // The firing rate is averaged over about this many firings.

@@ -10,6 +10,7 @@
 #include "echoway/belt/firing_clock.hpp"
 #include "echoway/belt/sentence.hpp"
 #include "echoway/building/loader.hpp"
+#include "echoway/guidance/guide.hpp"
 #include "session/make_locator.hpp"
 
 namespace echoway {
@@ -49,6 +50,12 @@ Status check_config(const SessionConfig& config, const Building& building) {
   return check_start(config.start, building);
 }
 
+GuideConfig guide_config(const BeltConfig& belt) {
+  GuideConfig config;
+  config.belt = belt;
+  return config;
+}
+
 }  // namespace
 
 struct Session::Impl {
@@ -57,7 +64,9 @@ struct Session::Impl {
         config(configuration),
         sound_speed(speed_of_sound(config.belt.temperature_c)),
         clock(config.belt.slot_s),
-        monitor(config.belt.sensors) {
+        monitor(config.belt.sensors),
+        router(building),
+        guide(router, guide_config(config.belt)) {
     for (int i = 0; i < config.belt.sensors; ++i) last_scan[static_cast<std::size_t>(i)] = {-1.0, i, Firing::kNoEcho};
   }
 
@@ -67,8 +76,19 @@ struct Session::Impl {
       last_scan[static_cast<std::size_t>(firing.sensor)] = firing;
     }
     const bool renewed = locator->on_firing(firing);
-    if (renewed) monitor.set_suspicions(locator->suspicions());
+    if (renewed) {
+      monitor.set_suspicions(locator->suspicions());
+      guide.on_estimate(locator->estimate(), locator->hypotheses());
+      if (const auto transition = guide.take_level_transition()) locator->on_level_transition(*transition);
+    }
+    guide.on_firing(firing);
+    guide.on_belt_health(monitor.health(), firing.time_s);
     return renewed;
+  }
+
+  void tick(double now_s) {
+    monitor.on_tick(now_s);
+    guide.on_belt_health(monitor.health(), now_s);
   }
 
   void take(const EchoSentence& echo) { take_numbered(echo.seq, echo.sensor, range_m(echo, sound_speed)); }
@@ -101,6 +121,8 @@ struct Session::Impl {
   SentenceDecoder decoder;
   FiringClock clock;
   BeltMonitor monitor;
+  Router router;                     // refers to `building`
+  Guide guide;
   std::array<Firing, kMaxSensors> last_scan{};
   double arrival = 0.0;              // of the bytes being taken
   int firings_taken = 0;
@@ -139,17 +161,17 @@ bool Session::on_firing(const Firing& firing) { return impl_->take_firing(firing
 
 void Session::on_motion(const MotionHint& hint) { impl_->locator->on_motion(hint); }
 
-void Session::on_tick(double now_s) { impl_->monitor.on_tick(now_s); }
+void Session::on_tick(double now_s) { impl_->tick(now_s); }
 
 void Session::on_belt_attached(double now_s) {
   impl_->decoder.reset();
   impl_->clock.reset();
-  impl_->monitor.on_tick(now_s);
+  impl_->tick(now_s);
 }
 
 void Session::on_belt_detached(double now_s) {
   impl_->monitor.on_detached();
-  impl_->monitor.on_tick(now_s);
+  impl_->tick(now_s);
 }
 
 Status Session::restart(const Start& start) {
@@ -162,6 +184,18 @@ Status Session::restart(const Start& start) {
   impl_->locator = std::move(*locator);
   return success();
 }
+
+Status Session::set_destination(std::string_view name, RoutePreferences preferences) {
+  return impl_->guide.set_destination(name, preferences);
+}
+
+Status Session::way_out(RoutePreferences preferences) { return impl_->guide.way_out(preferences); }
+Status Session::back_track() { return impl_->guide.back_track(); }
+void Session::clear_destination() { impl_->guide.clear_destination(); }
+void Session::where_am_i() { impl_->guide.where_am_i(); }
+bool Session::next_cue(Cue& cue) { return impl_->guide.next_cue(cue); }
+const Route& Session::route() const { return impl_->guide.route(); }
+std::span<const Spot> Session::breadcrumbs() const { return impl_->guide.breadcrumbs(); }
 
 const Building& Session::building() const { return impl_->building; }
 const SessionConfig& Session::config() const { return impl_->config; }
