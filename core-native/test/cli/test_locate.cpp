@@ -47,6 +47,12 @@ TEST_F(Locate, WritesARowPerFiringWithTheTracker) {
   EXPECT_EQ(read_track_log(track_)->size(), read_scan_log(prefix_ + ".scans.csv")->firings.size());
 }
 
+TEST_F(Locate, WritesARowPerTwoPassesWithTheThesisMethod) {
+  const ProcessResult result = locate({"--start", start_, "--method", "thesis"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(read_track_log(track_)->size(), read_scan_log(prefix_ + ".scans.csv")->firings.size() / 30);
+}
+
 TEST_F(Locate, GivesTheSameBytesOnEveryRun) {
   ASSERT_EQ(locate({"--start", start_, "--seed", "9"}).status, 0);
   const std::string first = test::read_file(track_);

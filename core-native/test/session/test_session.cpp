@@ -107,7 +107,7 @@ TEST(Session, RestartForgetsWhereTheWearerWas) {
 TEST(Session, NothingImpossibleBreaksItOrYieldsANan) {
   const double values[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                            -std::numeric_limits<double>::infinity(), 1e308, -1e308, 0.0, 1.0, 5.0};
-  for (const Method method : {Method::bayes}) {
+  for (const Method method : {Method::bayes, Method::thesis}) {
     SessionConfig config;
     config.method = method;
     const auto session = open_sample(config);
