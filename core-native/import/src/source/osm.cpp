@@ -1,0 +1,282 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <set>
+
+#include "source/limits.hpp"
+#include "source/osm_document.hpp"
+#include "source/osm_levels.hpp"
+#include "source/readers.hpp"
+#include "source/source_error.hpp"
+
+// OpenStreetMap with Simple Indoor Tagging: `indoor=room|area|corridor|wall|column` on ways (or multipolygons),
+// `door=*` and `entrance=*` on nodes of their outlines, `level=*` (and `repeat_on=*`) on everything.
+namespace echoway::import {
+namespace {
+
+constexpr double kDefaultWallThickness = 0.1;  // metres; a light partition, for indoor=wall drawn as a line
+
+std::string tag(const OsmTags& tags, std::string_view key) {
+  const auto found = tags.find(key);
+  return found == tags.end() ? std::string() : found->second;
+}
+bool has(const OsmTags& tags, std::string_view key) { return tags.find(key) != tags.end(); }
+
+// Lengths are metres unless they carry a unit; others are taken as not said.
+double metres(const std::string& text) {
+  char* rest = nullptr;
+  const double value = std::strtod(text.c_str(), &rest);
+  if (rest == text.c_str() || !std::isfinite(value) || value <= 0.0) return 0.0;
+  std::string unit(rest);
+  unit.erase(std::remove(unit.begin(), unit.end(), ' '), unit.end());
+  if (unit.empty() || unit == "m") return value;
+  if (unit == "cm") return value * 0.01;
+  return 0.0;
+}
+
+UnitKind unit_kind(const OsmTags& tags) {
+  const std::string indoor = tag(tags, "indoor");
+  if (tag(tags, "stairs") == "yes" || tag(tags, "room") == "stairs" || has(tags, "conveying")) return UnitKind::stairs;
+  if (tag(tags, "highway") == "elevator" || tag(tags, "room") == "elevator") return UnitKind::elevator;
+  if (indoor == "room") return UnitKind::room;
+  return UnitKind::open;
+}
+
+std::string category_of(const OsmTags& tags) {
+  for (const char* key : {"room", "amenity", "shop", "office", "tourism", "leisure", "healthcare", "emergency"}) {
+    const std::string value = tag(tags, key);
+    if (!value.empty() && value != "yes") return value;
+  }
+  return tag(tags, "indoor");
+}
+
+class Reader {
+ public:
+  Reader(const std::filesystem::path& path, Report& report) : document_(read_osm_document(path)), report_(report) {}
+
+  Plan read() {
+    plan_.file = document_.file;
+    for (const auto& [id, way] : document_.ways) read_way(id, way);
+    for (const auto& [id, relation] : document_.relations) read_relation(id, relation);
+    for (const auto& [id, node] : document_.nodes) read_node(id, node);
+    if (levels_.empty()) {
+      throw SourceError(Error{"holds nothing with an indoor=* and a level=* tag: map the building by Simple Indoor "
+                              "Tagging first", document_.file, 0});
+    }
+    number_levels();
+    return std::move(plan_);
+  }
+
+ private:
+  Source source(const char* type, OsmId id, int line) const {
+    return {document_.file + ":" + std::to_string(line), std::string(type) + "/" + std::to_string(id)};
+  }
+
+  // The levels that a feature stands on; none is reported once for features that need one.
+  std::vector<double> levels_of(const OsmTags& tags, const Source& source) {
+    std::set<double> levels;
+    for (const char* key : {"level", "repeat_on"}) {
+      const std::string text = tag(tags, key);
+      if (text.empty()) continue;
+      const auto parsed = parse_osm_levels(text);
+      if (!parsed) {
+        report_.unresolved(source, "", {}, std::string(key) + "=" + text + " cannot be read: left out");
+        return {};
+      }
+      levels.insert(parsed->begin(), parsed->end());
+    }
+    return {levels.begin(), levels.end()};
+  }
+
+  PlanLevel& level(double number) { return levels_[number]; }
+
+  Path path_of(const OsmWay& way, const Source& source) {
+    Path path;
+    for (const OsmId ref : way.nodes) {
+      const auto node = document_.nodes.find(ref);
+      if (node == document_.nodes.end()) {
+        report_.unresolved(source, "", {}, "node " + std::to_string(ref) + " is not in the file: outline used without it");
+        continue;
+      }
+      path.push_back(node->second.at);
+    }
+    return path;
+  }
+
+  static bool closed(const OsmWay& way) { return way.nodes.size() > 3 && way.nodes.front() == way.nodes.back(); }
+
+  Area area_of_way(const OsmWay& way, const Source& source) {
+    Path ring = path_of(way, source);
+    if (!ring.empty()) ring.pop_back();
+    return {{std::move(ring), {}}};
+  }
+
+  void read_way(OsmId id, const OsmWay& way) {
+    const Source from = source("way", id, way.line);
+    remember_building(way.tags);
+    if (!is_indoor(way.tags)) return;
+    if (closed(way)) {
+      place_area(way.tags, from, area_of_way(way, from));
+    } else {
+      place_line(way.tags, from, path_of(way, from));
+    }
+    if (tag(way.tags, "indoor") == "room" || tag(way.tags, "indoor") == "wall" || has(way.tags, "level")) {
+      for (const OsmId ref : way.nodes) node_levels_[ref].merge(set_of(levels_of(way.tags, from)));
+    }
+  }
+
+  static std::set<double> set_of(const std::vector<double>& v) { return {v.begin(), v.end()}; }
+
+  static bool is_indoor(const OsmTags& tags) {
+    return has(tags, "indoor") || (has(tags, "level") && (has(tags, "highway") || has(tags, "stairs")));
+  }
+
+  void remember_building(const OsmTags& tags) {
+    if (has(tags, "building") && plan_.name.empty()) plan_.name = tag(tags, "name");
+  }
+
+  void read_relation(OsmId id, const OsmRelation& relation) {
+    const Source from = source("relation", id, relation.line);
+    remember_building(relation.tags);
+    if (tag(relation.tags, "type") != "multipolygon" || !is_indoor(relation.tags)) return;
+    geos::Polygon2 polygon;
+    for (const OsmMember& m : relation.members) {
+      const auto way = document_.ways.find(m.ref);
+      if (m.type != "way" || way == document_.ways.end() || !closed(way->second)) {
+        report_.unresolved(from, "", {}, "member " + std::to_string(m.ref) + " is no closed way: left out");
+        continue;
+      }
+      Path ring = path_of(way->second, from);
+      ring.pop_back();
+      if (m.role == "inner") {
+        polygon.holes.push_back(std::move(ring));
+      } else if (polygon.outer.empty()) {
+        polygon.outer = std::move(ring);
+      }
+      for (const OsmId ref : way->second.nodes) node_levels_[ref].merge(set_of(levels_of(relation.tags, from)));
+    }
+    if (!polygon.outer.empty()) place_area(relation.tags, from, {std::move(polygon)});
+  }
+
+  void place_area(const OsmTags& tags, const Source& from, const Area& area) {
+    const std::string indoor = tag(tags, "indoor");
+    if (indoor == "yes" || indoor == "no" || indoor == "level" || indoor == "door") return;
+    const std::vector<double> on = levels_of(tags, from);
+    if (on.empty()) {
+      report_.unresolved(from, "", {}, "has no level=*: left out");
+      return;
+    }
+    const UnitKind kind = unit_kind(tags);
+    for (const double number : on) {
+      PlanLevel& into = level(number);
+      if (indoor == "wall" || indoor == "column" || indoor == "pillar") {
+        into.walls.push_back({from, area, {}, 0.0});
+      } else if (has(tags, "furniture") || indoor == "furniture") {
+        into.furniture.push_back({from, area, {}});
+      } else {
+        // One way over several levels is one shaft.
+        const bool shaft = on.size() > 1 && (kind == UnitKind::stairs || kind == UnitKind::elevator);
+        into.units.push_back({from, kind, area, tag(tags, "name"), tag(tags, "ref"), category_of(tags),
+                              shaft ? from.id : std::string()});
+      }
+    }
+  }
+
+  void place_line(const OsmTags& tags, const Source& from, const Path& path) {
+    if (path.size() < 2) return;
+    const std::vector<double> on = levels_of(tags, from);
+    if (tag(tags, "indoor") == "wall") {
+      const double given = metres(tag(tags, "width"));
+      for (const double number : on) {
+        level(number).walls.push_back({from, {}, path, given > 0.0 ? given : kDefaultWallThickness});
+      }
+    } else if (tag(tags, "highway") == "steps" && on.size() == 2) {
+      // Steps are drawn upwards unless they say otherwise.
+      const bool down = tag(tags, "incline") == "down";
+      steps_.push_back({from, on[down ? 1 : 0], on[down ? 0 : 1], path});
+    }
+  }
+
+  void read_node(OsmId id, const OsmNode& node) {
+    const Source from = source("node", id, node.line);
+    const bool entrance = has(node.tags, "entrance") && tag(node.tags, "entrance") != "no";
+    const bool door = entrance || (has(node.tags, "door") && tag(node.tags, "door") != "no") ||
+                      tag(node.tags, "indoor") == "door";
+    std::vector<double> on = levels_of(node.tags, from);
+    if (on.empty()) {
+      if (const auto found = node_levels_.find(id); found != node_levels_.end()) {
+        on.assign(found->second.begin(), found->second.end());
+      }
+    }
+    if (door) return place_door(node, from, on, entrance);
+    if (tag(node.tags, "highway") == "elevator" && on.size() > 1) {
+      for (std::size_t i = 1; i < on.size(); ++i) elevators_.push_back({from, on[i - 1], on[i], {node.at, node.at}});
+      return;
+    }
+    const std::string category = category_of(node.tags);
+    if (on.empty() || (category.empty() && !has(node.tags, "name"))) return;
+    for (const double number : on) level(number).amenities.push_back({from, node.at, tag(node.tags, "name"), category});
+  }
+
+  void place_door(const OsmNode& node, const Source& from, const std::vector<double>& on, bool entrance) {
+    if (on.empty()) {
+      if (!entrance) report_.unresolved(from, "", {}, "a door without a level, on no wall: left out");
+      return;
+    }
+    double width = metres(tag(node.tags, "width"));
+    if (width == 0.0) width = metres(tag(node.tags, "door:width"));
+    for (const double number : on) {
+      level(number).doors.push_back({from, {}, {node.at}, width,
+                                     entrance ? PlanDoor::WayOut::yes : PlanDoor::WayOut::unknown,
+                                     tag(node.tags, "name")});
+    }
+  }
+
+  struct Steps {
+    Source source;
+    double from, to;
+    Path path;
+  };
+
+  // Level numbers may be fractions (mezzanines); buildings count whole levels, so all are counted up from level 0.
+  void number_levels() {
+    bool whole = true;
+    for (const auto& [number, level] : levels_) whole = whole && number == std::floor(number);
+    const auto ground = std::distance(levels_.begin(), levels_.lower_bound(0.0));
+    std::ptrdiff_t index = 0;
+    std::map<double, int> ordinal;
+    for (auto& [number, level] : levels_) {
+      level.ordinal = whole ? static_cast<int>(number) : static_cast<int>(index - ground);
+      level.short_name = osm_level_name(number);
+      level.file = document_.file;
+      level.ground = number == 0.0;
+      ordinal[number] = level.ordinal;
+      if (!whole) {
+        report_.note({document_.file, ""}, level.short_name, {},
+                     "counted as level " + std::to_string(level.ordinal) + ", for there are levels between whole ones");
+      }
+      plan_.levels.push_back(std::move(level));
+      ++index;
+    }
+    const auto declare = [&](const Steps& s, LevelLinkKind kind) {
+      if (ordinal.count(s.from) == 0 || ordinal.count(s.to) == 0) return;
+      plan_.links.push_back({s.source, kind, {ordinal[s.from], "", s.path.front()}, {ordinal[s.to], "", s.path.back()}});
+    };
+    for (const Steps& s : steps_) declare(s, LevelLinkKind::stairs);
+    for (const Steps& s : elevators_) declare(s, LevelLinkKind::elevator);
+  }
+
+  OsmDocument document_;
+  Report& report_;
+  Plan plan_;
+  std::map<double, PlanLevel> levels_;
+  std::map<OsmId, std::set<double>> node_levels_;
+  std::vector<Steps> steps_, elevators_;
+};
+
+}  // namespace
+
+Plan read_osm(const std::filesystem::path& path, Report& report) { return Reader(path, report).read(); }
+
+}  // namespace echoway::import
