@@ -8,6 +8,7 @@ namespace echoway::tools {
 // (0 done, 2 bad usage or bad input).
 void add_check(CLI::App& app, int& status);
 void add_describe(CLI::App& app, int& status);
+void add_import(CLI::App& app, int& status);
 void add_locate(CLI::App& app, int& status);
 void add_monitor(CLI::App& app, int& status);
 void add_play(CLI::App& app, int& status);
@@ -17,6 +18,7 @@ void add_simulate(CLI::App& app, int& status);
 inline void add_commands(CLI::App& app, int& status) {
   add_check(app, status);
   add_describe(app, status);
+  add_import(app, status);
   add_locate(app, status);
   add_monitor(app, status);
   add_play(app, status);

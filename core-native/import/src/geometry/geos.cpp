@@ -7,7 +7,7 @@
 namespace echoway::import::geos {
 namespace {
 
-constexpr double kMitreLimit = 2.0;
+constexpr double kMitreLimit = 5.0;
 constexpr int kQuadrantSegments = 8;
 
 // One context a thread: GEOS keeps its last error message in it.
@@ -239,6 +239,18 @@ Circle inscribed_circle(const Shape& area) {
   const Shape radius(GEOSMaximumInscribedCircle_r(h(), area.get(), kTolerance));
   const std::vector<Vec2> ends = points_of(radius.get());
   return {ends.front(), echoway::distance(ends.front(), ends.back())};
+}
+
+Vec2 standing_point(const Shape& floor, Vec2 p) {
+  constexpr double kFromWall = 0.4;  // metres
+  const Shape clear = grow(floor, -kFromWall);
+  return nearest_on(clear.empty() ? floor : clear, p);
+}
+
+Bounds bounds(const Shape& shape) {
+  Bounds b;
+  if (GEOSGeom_getExtent_r(h(), shape.get(), &b.low.x, &b.low.y, &b.high.x, &b.high.y) == 0) context().fail("extent");
+  return b;
 }
 
 Box oriented_box(const Shape& shape) {

@@ -84,6 +84,17 @@ struct Circle {
 /// The largest circle that fits, to 2 cm: where a name stands best, and how wide a space is.
 [[nodiscard]] Circle inscribed_circle(const Shape& area);
 
+/// `p`, or the nearest point where a person can stand: on the floor and, where it is wide enough, 0.4 m from its walls.
+[[nodiscard]] Vec2 standing_point(const Shape& floor, Vec2 p);
+
+struct Bounds {
+  Vec2 low, high;
+  [[nodiscard]] bool contain(Vec2 p) const noexcept {
+    return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
+  }
+};
+[[nodiscard]] Bounds bounds(const Shape& shape);
+
 struct Box {
   Vec2 centre;
   Vec2 along;  ///< Unit vector of the longer side.

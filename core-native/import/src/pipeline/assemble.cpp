@@ -122,8 +122,9 @@ class Assembler {
   void add_places(std::size_t level, const std::vector<Shape>& floors) {
     const LevelRooms& rooms = levels_[level];
     for (std::size_t i = 0; i < floors.size(); ++i) {
-      const Vec2 middle = geos::inscribed_circle(floors[i]).centre;
-      if (!rooms.names[i].empty()) add_place(room_at(level, static_cast<int>(i)), middle, rooms.names[i]);
+      if (rooms.is_destination[i]) {
+        add_place(room_at(level, static_cast<int>(i)), geos::inscribed_circle(floors[i]).centre, rooms.names[i]);
+      }
       for (const PlanUnit* unit : rooms.floor.cells[i].contains) add_unit_place(level, i, *unit, floors[i]);
     }
     for (const PlanAmenity& amenity : rooms.floor.plan->amenities) add_amenity(level, amenity, floors);
@@ -163,9 +164,7 @@ class Assembler {
                          "'" + name + "' stands in no room: left out");
       return;
     }
-    const bool inside = geos::contains(floors[nearest], amenity.at);
-    add_place(room_at(level, static_cast<int>(nearest)),
-              inside ? amenity.at : geos::nearest_on(floors[nearest], amenity.at), name);
+    add_place(room_at(level, static_cast<int>(nearest)), geos::standing_point(floors[nearest], amenity.at), name);
   }
 
   void add_place(RoomIndex room, Vec2 at, const std::string& name) {

@@ -7,7 +7,7 @@ namespace {
 
 using geos::Shape;
 
-constexpr double kTolerance = 0.05;      // metres; no wall moves by more
+constexpr double kTolerance = 0.03;      // metres; with the crevices smoothed before, no wall moves by 5 cm
 constexpr double kCollinear = 0.002;     // metres; vertices that make no bend
 constexpr double kOverlap = 0.08;        // metres; more than simplification may have moved a wall
 constexpr double kThinWall = 0.01;       // metres; rooms this near touch already

@@ -64,12 +64,13 @@ class Cutter {
     std::vector<Cell> cells;
     for (const Shape& part : geos::areas(free)) {
       const Shape smooth = without_crevices(part, kCrevice);
-      for (const Shape& piece : geos::areas(smooth)) cells.push_back({piece, nullptr, {}});
+      for (const Shape& piece : geos::areas(smooth)) cells.push_back({piece, nullptr, {}, {}});
     }
     cells = cut_out_units(level_, std::move(cells), report_);
     keep_rooms(std::move(cells));
     attach_units(level_, floor_.cells);
     leave_out_the_outdoors();
+    for (Cell& cell : floor_.cells) cell.bounds = geos::bounds(cell.floor);
     return std::move(floor_);
   }
 
@@ -141,7 +142,7 @@ class Cutter {
 
 int LevelFloor::cell_at(Vec2 p) const {
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (geos::contains(cells[i].floor, p)) return static_cast<int>(i);
+    if (cells[i].bounds.contain(p) && geos::contains(cells[i].floor, p)) return static_cast<int>(i);
   }
   return -1;
 }

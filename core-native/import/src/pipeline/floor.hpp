@@ -13,6 +13,7 @@ struct Cell {
   geos::Shape floor;
   const PlanUnit* unit = nullptr;         ///< The unit that it is; null when the plan names none.
   std::vector<const PlanUnit*> contains;  ///< Other units that lie in it.
+  geos::Bounds bounds{};                  ///< Of `floor`.
 };
 
 /// One level cut into cells. Points into the PlanLevel that it was made from.

@@ -132,8 +132,7 @@ class Finder {
       const int cell = levels_[i].floor.cell_near(*end.at, kReach);
       if (cell < 0) return std::nullopt;
       const Shape& floor = levels_[i].floor.cells[static_cast<std::size_t>(cell)].floor;
-      const Vec2 at = geos::contains(floor, *end.at) ? *end.at : geos::nearest_on(floor, *end.at);
-      return End{i, cell, at, nullptr};
+      return End{i, cell, geos::standing_point(floor, *end.at), nullptr};
     }
     return std::nullopt;
   }

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kHall = 50.0;          // square metres; a space this large is kept even if no door leads into it
 constexpr int kMostRounds = 3;          // of opening doors that turn out to stand within one space
+constexpr const char* kCorridor = "Corridor";
 constexpr double kReadingRow = 2.0;     // metres; rooms whose middles are this near in y stand in one row
 
 LevelRooms cut_and_place(const PlanLevel& level, Report& report) {
@@ -57,6 +58,14 @@ void renumber(LevelRooms& rooms, const std::vector<std::size_t>& order) {
   std::erase_if(rooms.exits, [](const PlacedDoor& d) { return d.front < 0; });
 }
 
+// Rooms that the plan draws, and spaces that stairs or an elevator lead into, are there whatever their doors.
+bool is_a_place(const Cell& cell) {
+  const auto counts = [](const PlanUnit* unit) {
+    return unit->kind == UnitKind::room || unit->kind == UnitKind::stairs || unit->kind == UnitKind::elevator;
+  };
+  return (cell.unit != nullptr && counts(cell.unit)) || std::any_of(cell.contains.begin(), cell.contains.end(), counts);
+}
+
 // A space that the plan neither names nor gives a door is a shaft or a void in the construction.
 void leave_out_shafts(LevelRooms& rooms, Report& report) {
   std::vector<bool> has_door(rooms.floor.cells.size(), false);
@@ -76,9 +85,9 @@ void leave_out_shafts(LevelRooms& rooms, Report& report) {
     }
     const Source source = cell.unit != nullptr ? cell.unit->source : Source{rooms.floor.plan->file, ""};
     char text[120];
-    const bool keep = cell.unit != nullptr && cell.unit->kind == UnitKind::room;
+    const bool keep = is_a_place(cell);
     std::snprintf(text, sizeof text, "no door leads into this space of %.1f m2: %s", area,
-                  keep ? "kept, but nobody can be led there" : "left out");
+                  keep ? "kept, but nobody can be led through a door" : "left out");
     report.unresolved(source, rooms.floor.plan->short_name, geos::inscribed_circle(cell.floor).centre, text);
     if (keep) kept.push_back(i);
   }
@@ -137,6 +146,20 @@ std::string name_of(const PlanUnit& unit) {
   return spoken_category(unit.category);
 }
 
+// A long space with doors to several others, that the plan does not name: what else would a visitor call it?
+bool is_corridor(const LevelRooms& rooms, std::size_t cell) {
+  constexpr int kManyDoors = 4;
+  constexpr double kLong = 28.0;      // perimeter squared over area: a rectangle five times as long as wide
+  constexpr double kHalfWidth = 2.5;  // metres
+  const auto joins = [cell](const PlacedDoor& d) {
+    return d.front == static_cast<int>(cell) || d.back == static_cast<int>(cell);
+  };
+  const geos::Shape floor = geos::fill_holes(rooms.floor.cells[cell].floor);
+  return std::count_if(rooms.doors.begin(), rooms.doors.end(), joins) >= kManyDoors &&
+         floor.length() * floor.length() > kLong * floor.area() &&
+         geos::inscribed_circle(floor).radius < kHalfWidth;
+}
+
 void name_cells(LevelRooms& rooms) {
   const std::vector<std::string> pathways = names_from_pathways(rooms.floor);
   for (std::size_t i = 0; i < rooms.floor.cells.size(); ++i) {
@@ -144,7 +167,9 @@ void name_cells(LevelRooms& rooms) {
     std::string name = cell.unit != nullptr ? clean_name(cell.unit->name) : "";
     if (name.empty()) name = pathways[i];
     if (name.empty() && cell.unit != nullptr) name = name_of(*cell.unit);
-    rooms.names.push_back(std::move(name));
+    const bool inferred = name.empty() && is_corridor(rooms, i);
+    rooms.names.push_back(inferred ? kCorridor : std::move(name));
+    rooms.is_destination.push_back(!inferred && !rooms.names.back().empty());
   }
 }
 

@@ -13,7 +13,8 @@ struct LevelRooms {
   LevelFloor floor;
   std::vector<PlacedDoor> doors;
   std::vector<PlacedDoor> exits;
-  std::vector<std::string> names;  ///< Of every cell; empty when the plan does not say.
+  std::vector<std::string> names;    ///< Of every cell; empty when the plan does not say.
+  std::vector<bool> is_destination;  ///< Of every cell: the plan names it, so somebody may want to go there.
 };
 
 /// Cuts a level, finds its doors, opens doors that stand within one space, and names what is left in reading order (from

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 #include <string>
 
 namespace echoway::import {
@@ -87,7 +88,7 @@ void cut_out(const WalledUnit& unit, const Cell& cell, std::vector<Cell>& rest, 
     const double beside_rest = geos::intersection(edge, geos::boundary(real)).length();
     (beside_unit >= beside_rest ? mine : others).push_back(strip);
   }
-  for (const Shape& part : geos::areas(geos::unite(others))) rest.push_back({part, nullptr, {}});
+  for (const Shape& part : geos::areas(geos::unite(others))) rest.push_back({part, nullptr, {}, {}});
   own.push_back(geos::unite(mine));
 }
 
@@ -108,7 +109,7 @@ std::vector<Cell> cut_out_units(const PlanLevel& level, std::vector<Cell> cells,
         rest.push_back(std::move(cell));
       }
     }
-    for (const Shape& part : geos::areas(geos::unite(own))) done.push_back({part, unit.unit, {}});
+    for (const Shape& part : geos::areas(geos::unite(own))) done.push_back({part, unit.unit, {}, {}});
     cells = std::move(rest);
   }
   std::move(cells.begin(), cells.end(), std::back_inserter(done));
@@ -134,7 +135,14 @@ void attach_units(const PlanLevel& level, std::vector<Cell>& cells) {
       }
     }
   }
-  for (Cell& cell : cells) std::erase(cell.contains, cell.unit);
+  // A corner of a neighbouring room that reaches in (an overlap) is no place in this one.
+  std::set<const PlanUnit*> are_cells;
+  for (const Cell& cell : cells) are_cells.insert(cell.unit);
+  for (Cell& cell : cells) {
+    std::erase_if(cell.contains, [&](const PlanUnit* unit) {
+      return unit == cell.unit || (unit->kind == UnitKind::room && are_cells.count(unit) != 0);
+    });
+  }
 }
 
 }  // namespace echoway::import

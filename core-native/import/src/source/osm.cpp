@@ -75,6 +75,7 @@ class Reader {
 
   // The levels that a feature stands on; none is reported once for features that need one.
   std::vector<double> levels_of(const OsmTags& tags, const Source& source) {
+    if (unreadable_.count(source.id) != 0) return {};
     std::set<double> levels;
     for (const char* key : {"level", "repeat_on"}) {
       const std::string text = tag(tags, key);
@@ -82,6 +83,7 @@ class Reader {
       const auto parsed = parse_osm_levels(text);
       if (!parsed) {
         report_.unresolved(source, "", {}, std::string(key) + "=" + text + " cannot be read: left out");
+        unreadable_.insert(source.id);
         return {};
       }
       levels.insert(parsed->begin(), parsed->end());
@@ -164,7 +166,7 @@ class Reader {
     if (indoor == "yes" || indoor == "no" || indoor == "level" || indoor == "door") return;
     const std::vector<double> on = levels_of(tags, from);
     if (on.empty()) {
-      report_.unresolved(from, "", {}, "has no level=*: left out");
+      if (unreadable_.count(from.id) == 0) report_.unresolved(from, "", {}, "has no level=*: left out");
       return;
     }
     const UnitKind kind = unit_kind(tags);
@@ -209,6 +211,8 @@ class Reader {
         on.assign(found->second.begin(), found->second.end());
       }
     }
+    // An entrance that is only drawn on the building's outline is on the ground.
+    if (entrance && on.empty() && levels_.count(0.0) != 0) on = {0.0};
     if (door) return place_door(node, from, on, entrance);
     if (tag(node.tags, "highway") == "elevator" && on.size() > 1) {
       for (std::size_t i = 1; i < on.size(); ++i) elevators_.push_back({from, on[i - 1], on[i], {node.at, node.at}});
@@ -221,7 +225,7 @@ class Reader {
 
   void place_door(const OsmNode& node, const Source& from, const std::vector<double>& on, bool entrance) {
     if (on.empty()) {
-      if (!entrance) report_.unresolved(from, "", {}, "a door without a level, on no wall: left out");
+      report_.unresolved(from, "", {}, "a door without a level, on no wall: left out");
       return;
     }
     double width = metres(tag(node.tags, "width"));
@@ -273,6 +277,7 @@ class Reader {
   std::map<double, PlanLevel> levels_;
   std::map<OsmId, std::set<double>> node_levels_;
   std::vector<Steps> steps_, elevators_;
+  std::set<std::string> unreadable_;  ///< Features whose level was reported once.
 };
 
 }  // namespace

@@ -1,0 +1,106 @@
+#include <fstream>
+
+#include "import/imported.hpp"
+
+// Plans made to break an importer: each is refused with a reason that names the file, in bounded time and memory.
+namespace echoway::import {
+namespace {
+
+using testing::HasSubstr;
+
+class HostilePlan : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              (std::string("echoway-hostile-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return folder_ / name;
+  }
+  // A WRLD plan of one level with these features.
+  std::filesystem::path wrld(const std::string& features) {
+    write("main.json", R"({"name": "X", "levels": [{"name": "G", "z_order": 0, "filename": "g.geojson"}]})");
+    write("g.geojson", R"({"type": "FeatureCollection", "features": [)" + features + "]}");
+    return folder_;
+  }
+  static std::string wall(const std::string& coordinates) {
+    return R"({"type": "Feature", "properties": {"id": 7, "type": "wall"}, "geometry": {"type": "Polygon", )"
+           R"("coordinates": [[)" + coordinates + "]]}}";
+  }
+
+  static std::string refusal(SourceFormat format, const std::filesystem::path& source) {
+    Report report;
+    const auto imported = import_building(format, source, report);
+    EXPECT_FALSE(imported);
+    return imported ? "" : imported.error().to_string();
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(HostilePlan, AZipBombIsRefusedBeforeItUnpacks) {
+  EXPECT_THAT(refusal(SourceFormat::imdf, test_plan("hostile/bomb.zip")),
+              testing::AllOf(HasSubstr("bomb.zip/level.geojson"), HasSubstr("larger than")));
+}
+
+TEST_F(HostilePlan, DeepNestingIsRefused) {
+  EXPECT_THAT(refusal(SourceFormat::wrld, test_plan("hostile/deep")), HasSubstr("nested too deeply"));
+  std::string xml = "<osm>";
+  for (int i = 0; i < 10000; ++i) xml += "<way>";
+  EXPECT_THAT(refusal(SourceFormat::osm, write("deep.osm", xml)), HasSubstr("nested too deeply"));
+}
+
+TEST_F(HostilePlan, NumbersThatAreNoCoordinatesAreRefusedWithTheirFeature) {
+  EXPECT_THAT(refusal(SourceFormat::wrld, wrld(wall("[1e999, 0], [1, 1], [0, 1]"))), HasSubstr("g.geojson"));
+  EXPECT_THAT(refusal(SourceFormat::wrld, wrld(wall("[null, 0], [1, 1], [0, 1]"))), HasSubstr("feature 7"));
+  EXPECT_THAT(refusal(SourceFormat::wrld, wrld(wall("[250000, 0], [1, 1], [0, 1]"))),
+              testing::AllOf(HasSubstr("feature 7"), HasSubstr("WGS 84")));
+  EXPECT_THAT(refusal(SourceFormat::osm, write("nan.osm", "<osm>\n<node id='1' lat='nan' lon='0'/>\n</osm>")),
+              HasSubstr("nan.osm:2: 'lat'"));
+}
+
+TEST_F(HostilePlan, BrokenTextIsRefusedWithItsLine) {
+  wrld("");
+  write("main.json", "{\n\"name\": \"X\",\n oops }");
+  EXPECT_THAT(refusal(SourceFormat::wrld, folder_), HasSubstr("main.json:3: "));
+  EXPECT_THAT(refusal(SourceFormat::osm, write("cut.osm", "<osm>\n<node id='1'")), HasSubstr("cut.osm:2: "));
+}
+
+TEST_F(HostilePlan, EntitiesAreRefused) {
+  EXPECT_THAT(refusal(SourceFormat::osm, write("laughs.osm", "<!DOCTYPE osm [<!ENTITY a 'ha'>]>\n<osm>&a;</osm>")),
+              HasSubstr("laughs.osm:1: declares an entity"));
+}
+
+TEST_F(HostilePlan, ANameInAnArchiveIsNoPath) {
+  wrld("");
+  write("main.json", R"({"levels": [{"z_order": 0, "filename": "../../../../etc/passwd"}]})");
+  EXPECT_THAT(refusal(SourceFormat::wrld, folder_), HasSubstr("is missing"));
+}
+
+TEST_F(HostilePlan, AFeatureOnTheOtherSideOfTheEarthIsLeftOut) {
+  const std::string square = R"({"type": "Feature", "properties": {"id": 1, "type": "building_outline"}, "geometry":
+    {"type": "Polygon", "coordinates": [[[8.0, 47.0], [8.001, 47.0], [8.001, 47.001], [8.0, 47.001]]]}},)";
+  const std::string room = R"({"type": "Feature", "properties": {"id": 2, "type": "unit", "name": "Only"}, "geometry":
+    {"type": "Polygon", "coordinates": [[[8.0001, 47.0001], [8.0009, 47.0001], [8.0009, 47.0009], [8.0001, 47.0009]]]}},)";
+  Report report;
+  const auto imported = import_building(SourceFormat::wrld, wrld(square + room + wall("[0,0],[0.001,0],[0.001,0.001]")),
+                                        report);
+  ASSERT_TRUE(imported) << imported.error().to_string();
+  EXPECT_THAT(report.items().front().to_string(), testing::AllOf(HasSubstr("feature 7"), HasSubstr("lies far")));
+}
+
+TEST_F(HostilePlan, NothingThatEnclosesIsNoBuilding) {
+  EXPECT_THAT(refusal(SourceFormat::wrld, wrld(wall("[8,47],[8.0001,47],[8.0001,47.00001],[8,47.00001]"))),
+              HasSubstr("cannot become a building"));
+  EXPECT_THAT(refusal(SourceFormat::wrld, wrld("")), HasSubstr("no feature with coordinates"));
+  EXPECT_THAT(refusal(SourceFormat::osm, write("empty.osm", "<osm version='0.6'/>")), HasSubstr("Simple Indoor Tagging"));
+  EXPECT_THAT(refusal(SourceFormat::imdf, folder_ / "absent"), HasSubstr("absent: no such folder"));
+}
+
+}  // namespace
+}  // namespace echoway::import

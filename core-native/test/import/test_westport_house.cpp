@@ -1,0 +1,81 @@
+#include <map>
+#include <set>
+
+#include "import/imported.hpp"
+
+// maps/westport-house: a real building of seven levels, as it is committed.
+namespace echoway::import {
+namespace {
+
+using testing::Contains;
+using testing::IsEmpty;
+
+const std::filesystem::path kWestport = std::filesystem::path(ECHOWAY_MAPS_DIR) / "westport-house";
+
+const Building& westport() {
+  static const Building building = [] {
+    Result<Building> loaded = load_building(kWestport);
+    if (!loaded) ADD_FAILURE() << loaded.error().to_string();
+    return loaded ? std::move(loaded).value() : Building{};
+  }();
+  return building;
+}
+
+TEST(WestportHouse, IsWhatTheImporterMakesOfItsSource) {
+  const ImportedPlan plan = import_plan(SourceFormat::wrld, kWestport / "source");
+  ASSERT_EQ(plan.building.rooms.size(), westport().rooms.size());
+  for (const Room& room : plan.building.rooms) {
+    const RoomIndex same = westport().find_room(room.id);
+    ASSERT_NE(same, kNoRoom) << room.id;
+    EXPECT_EQ(room.walls, westport().room(same).walls) << room.id << ": run make westport-house";
+  }
+  EXPECT_EQ(plan.building.doors.size(), westport().doors.size());
+}
+
+TEST(WestportHouse, HasNothingToMend) { EXPECT_THAT(check_building(kWestport), IsEmpty()); }
+
+TEST(WestportHouse, HasSevenLevelsOfSoundRooms) {
+  std::set<int> levels;
+  for (const Room& room : westport().rooms) levels.insert(room.level);
+  EXPECT_EQ(levels, (std::set<int>{0, 1, 2, 3, 4, 5, 6}));
+  expect_sound(westport());
+}
+
+// From the street everybody gets to every level and almost every room; only shops with a street door of their own and no
+// door to the rest of the building stand apart.
+TEST(WestportHouse, EveryRoomIsReachedFromAWayOut) {
+  const Building& building = westport();
+  std::vector<std::set<RoomIndex>> next(building.rooms.size());
+  const auto join = [&](RoomIndex a, RoomIndex b) {
+    next[static_cast<std::size_t>(a)].insert(b);
+    next[static_cast<std::size_t>(b)].insert(a);
+  };
+  for (const Door& door : building.doors) join(door.room_a, door.room_b);
+  for (const LevelLink& link : building.links) join(link.room_a, link.room_b);
+  std::set<RoomIndex> reached;
+  std::vector<RoomIndex> open;
+  for (const Landmark& exit : building.exits) open.push_back(exit.room);
+  while (!open.empty()) {
+    const RoomIndex room = open.back();
+    open.pop_back();
+    if (!reached.insert(room).second) continue;
+    for (const RoomIndex beyond : next[static_cast<std::size_t>(room)]) open.push_back(beyond);
+  }
+  for (std::size_t i = 0; i < building.rooms.size(); ++i) {
+    EXPECT_THAT(reached, Contains(static_cast<RoomIndex>(i))) << building.rooms[i].id;
+  }
+}
+
+TEST(WestportHouse, KnowsTheNamesOfThePlanAndItsPaths) {
+  std::set<std::string> names;
+  for (const Landmark& place : westport().places) names.insert(place.name);
+  for (const char* name : {"Unit 4", "WRLD Office", "Main corridor", "Kitchen", "Server room", "Men's Bathroom"}) {
+    EXPECT_THAT(names, Contains(name));
+  }
+  std::set<std::string> exits;
+  for (const Landmark& exit : westport().exits) exits.insert(exit.name);
+  EXPECT_THAT(exits, Contains("Bash st entrance"));
+}
+
+}  // namespace
+}  // namespace echoway::import

@@ -1,0 +1,72 @@
+#include <fmt/core.h>
+
+#include <memory>
+#include <string>
+
+#include "commands.hpp"
+#include "echoway/import/import.hpp"
+#include "echoway/io/atomic_file.hpp"
+
+namespace echoway::tools {
+namespace {
+
+constexpr int kBadInput = 2;
+
+struct Options {
+  std::string format, source, out, report;
+};
+
+int fail(const Error& error) {
+  fmt::print(stderr, "{}\n", error.to_string());
+  return kBadInput;
+}
+
+Status write_report(const std::string& path, const std::string& text) {
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return file.error();
+  file->write(text);
+  return file->commit();
+}
+
+std::string summary(const Building& building, const import::LonLat& centre, const import::Report& report) {
+  using Kind = import::ReportItem::Kind;
+  return fmt::format("{}: {} rooms, {} doors, {} links between levels, {} exits, {} places\n"
+                     "origin of all levels: {:.7f}, {:.7f} (latitude, longitude); x east, y north, metres\n"
+                     "{} repaired, {} unresolved\n",
+                     building.name.empty() ? "the building" : building.name, building.rooms.size(),
+                     building.doors.size(), building.links.size(), building.exits.size(), building.places.size(),
+                     centre.lat, centre.lon, report.count(Kind::repaired), report.count(Kind::unresolved));
+}
+
+int run(const Options& options) {
+  const Result<import::SourceFormat> format = import::parse_source_format(options.format);
+  if (!format) return fail(format.error());
+  import::Report report;
+  const Result<import::ImportedBuilding> imported = import::import_building(*format, options.source, report);
+  std::string text;
+  for (const import::ReportItem& item : report.items()) text += item.to_string() + "\n";
+  std::vector<Finding> findings;
+  Status done = imported ? import::write_imported(imported->building, options.out, findings) : imported.error();
+  if (done) {
+    for (const Finding& finding : findings) text += "check: " + finding.message + "\n";
+    text += summary(imported->building, imported->centre, report);
+  }
+  fmt::print("{}", text);
+  if (done && !options.report.empty()) done = write_report(options.report, text);
+  return done ? 0 : fail(done.error());
+}
+
+}  // namespace
+
+void add_import(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand("import", "Turn a venue's plan into a building folder");
+  auto options = std::make_shared<Options>();
+  command->add_option("FORMAT", options->format, "wrld: WRLD indoor map 1.0.0 (folder or zip); imdf: IMDF (folder or "
+                                                 "zip); osm: OpenStreetMap XML with Simple Indoor Tagging")->required();
+  command->add_option("SOURCE", options->source, "The plan")->required();
+  command->add_option("--out", options->out, "Building folder to write")->required();
+  command->add_option("--report", options->report, "Also write every repair and every open question to this file");
+  command->callback([options, &status] { status = run(*options); });
+}
+
+}  // namespace echoway::tools
