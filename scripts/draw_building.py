@@ -257,15 +257,15 @@ def draw_marks(axes, building, level):
         if on(mark.room):
             x, y = building.rooms[mark.room].to_level(mark.at)
             axes.plot(x, y, "o", color=BLUE, ms=3, zorder=7)
-            if mark.name != building.rooms[mark.room].name:
+            if not mark.name.startswith(building.rooms[mark.room].name or "\n"):
                 axes.annotate(mark.name, (x, y), xytext=(3, 3), textcoords="offset points", fontsize=5, color=BLUE,
                               zorder=8)
 
 
-def legend(axes):
+def legend(figure, columns):
     from matplotlib.lines import Line2D
 
-    axes.legend(handles=[
+    figure.legend(handles=[
         Line2D([], [], color=INK, lw=1, label="wall"),
         Line2D([], [], color=SKY, lw=3.2, label="door"),
         Line2D([], [], color=VERMILION, lw=1.4, label="all-reflective"),
@@ -273,7 +273,7 @@ def legend(axes):
         Line2D([], [], marker="D", color=PURPLE, mec=INK, ls="", label="elevator"),
         Line2D([], [], marker="^", color=GREEN, mec=INK, ls="", label="exit"),
         Line2D([], [], marker="o", color=BLUE, ls="", ms=4, label="place"),
-    ], loc="upper center", bbox_to_anchor=(0.5, -0.04), ncol=7, fontsize=7, frameon=False)
+    ], loc="upper center", bbox_to_anchor=(0.5, 0.02), ncol=columns, fontsize=7, frameon=False)
 
 
 def draw_level(building, level, path, width):
@@ -295,7 +295,7 @@ def draw_level(building, level, path, width):
     axes.set_title(f"{building.name}, level {level}: {len(rooms)} rooms", fontsize=10)
     axes.set_xlabel("metres", fontsize=8)
     axes.tick_params(labelsize=7)
-    legend(axes)
+    legend(figure, 7 if width >= 7 else 4)
     figure.savefig(path, dpi=110, bbox_inches="tight")
     plt.close(figure)
 

@@ -49,6 +49,8 @@ class LevelLint {
     };
     for (const Door& door : building_.doors) join(door.room_a, door.room_b);
     for (const LevelLink& link : building_.links) join(link.room_a, link.room_b);
+    // Outdoors joins all ways out: a shop with a door to the street only is reached from there.
+    for (const Landmark& exit : building_.exits) join(building_.exits.front().room, exit.room);
     std::vector<std::size_t> size(parent.size(), 0);
     for (std::size_t r = 0; r < parent.size(); ++r) ++size[find(r)];
     const auto most = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());

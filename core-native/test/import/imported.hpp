@@ -106,8 +106,8 @@ inline void expect_sound(const Building& building) {
       for (const Segment& wall : room.walls) nearest = std::min(nearest, distance(wall, at));
       return nearest;
     };
-    EXPECT_LT(off_wall(a, door.at_a), 0.005) << a.id << " to " << b.id;
-    EXPECT_LT(off_wall(b, door.at_b), 0.05) << b.id << " to " << a.id;
+    EXPECT_LT(off_wall(a, door.at_a), 0.03) << a.id << " to " << b.id;
+    EXPECT_LT(off_wall(b, door.at_b), 0.03) << b.id << " to " << a.id;
     EXPECT_LT(distance(a.frame.transform(door.at_a), b.frame.transform(door.at_b)), 1e-3) << a.id << " to " << b.id;
     EXPECT_GT(door.width, 0.4);
   }

@@ -31,6 +31,7 @@ class Assembler {
       const RoomIndex a = room_at(link.level_a, link.cell_a), b = room_at(link.level_b, link.cell_b);
       building_.links.push_back({link.kind, a, local(a, link.at_a), b, local(b, link.at_b)});
     }
+    tell_places_apart();
     return std::move(building_);
   }
 
@@ -43,9 +44,9 @@ class Assembler {
     first_room_.push_back(static_cast<RoomIndex>(building_.rooms.size()));
     std::vector<Shape> floors;
     for (const Cell& cell : rooms.floor.cells) floors.push_back(cell.floor);
-    const std::vector<Vec2> places = open_doorways(floors, rooms.doors);
+    const std::vector<DoorSite> sites = open_doorways(floors, rooms.doors);
     for (std::size_t i = 0; i < floors.size(); ++i) add_room(rooms, i, floors[i]);
-    for (std::size_t i = 0; i < rooms.doors.size(); ++i) add_door(index, rooms.doors[i], places[i]);
+    for (std::size_t i = 0; i < rooms.doors.size(); ++i) add_door(index, rooms.doors[i], sites[i]);
     for (const PlacedDoor& exit : rooms.exits) add_exit(index, exit, floors);
     add_furniture(index, floors);
     add_places(index, floors);
@@ -82,9 +83,9 @@ class Assembler {
     }
   }
 
-  void add_door(std::size_t level, const PlacedDoor& door, Vec2 at) {
+  void add_door(std::size_t level, const PlacedDoor& door, const DoorSite& site) {
     const RoomIndex a = room_at(level, door.front), b = room_at(level, door.back);
-    building_.doors.push_back({a, local(a, at), b, local(b, at), door.width});
+    building_.doors.push_back({a, local(a, site.at), b, local(b, site.at), site.width});
   }
 
   void add_exit(std::size_t level, const PlacedDoor& exit, const std::vector<Shape>& floors) {
@@ -173,6 +174,34 @@ class Assembler {
       return place.room == room && place.name == name && distance(place.at, here) < kSamePlace;
     });
     if (!known) building_.places.push_back({room, here, name});
+  }
+
+  // Somebody who asks for "Toilet" should get one that they can tell from the others: equal names get their level, and
+  // on the same level a number in reading order.
+  void tell_places_apart() {
+    std::map<std::string, std::set<int>> levels;
+    std::map<std::pair<std::string, int>, int> on_level;
+    for (const Landmark& place : building_.places) {
+      const int level = building_.room(place.room).level;
+      levels[place.name].insert(level);
+      ++on_level[{place.name, level}];
+    }
+    std::map<std::pair<std::string, int>, int> count;
+    for (Landmark& place : building_.places) {
+      const std::string name = place.name;
+      const int level = building_.room(place.room).level;
+      if (on_level[{name, level}] > 1) place.name += " " + std::to_string(++count[{name, level}]);
+      if (levels[name].size() > 1) place.name += ", " + level_name(level);
+    }
+  }
+
+  std::string level_name(int ordinal) const {
+    for (const LevelRooms& level : levels_) {
+      if (level.floor.plan->ordinal != ordinal) continue;
+      const std::string name = clean_name(level.floor.plan->name);
+      return name.empty() ? "level " + clean_name(level.floor.plan->short_name) : name;
+    }
+    return "level " + std::to_string(ordinal);
   }
 
   const Plan& plan_;

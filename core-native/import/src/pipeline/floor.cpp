@@ -13,7 +13,7 @@ namespace {
 
 using geos::Shape;
 
-constexpr double kCrevice = 0.05;        // metres; half the width of crevices in walls that are smoothed away
+constexpr double kCrevice = 0.035;       // metres; half the width of crevices in walls that are smoothed away
 constexpr double kMinRoomArea = 0.5;     // square metres; less is a shaft or a sliver
 constexpr double kMinRoomRadius = 0.25;  // metres; nobody fits into less
 constexpr double kExposed = 0.8;         // metres of a cell's border on the outline, without a wall: it is outdoors

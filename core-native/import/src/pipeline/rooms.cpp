@@ -150,7 +150,7 @@ std::string name_of(const PlanUnit& unit) {
 bool is_corridor(const LevelRooms& rooms, std::size_t cell) {
   constexpr int kManyDoors = 4;
   constexpr double kLong = 28.0;      // perimeter squared over area: a rectangle five times as long as wide
-  constexpr double kHalfWidth = 2.5;  // metres
+  constexpr double kHalfWidth = 2.0;  // metres
   const auto joins = [cell](const PlacedDoor& d) {
     return d.front == static_cast<int>(cell) || d.back == static_cast<int>(cell);
   };
