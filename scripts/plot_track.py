@@ -55,22 +55,35 @@ def errors(track, truth):
     return result
 
 
-def draw_level(axes, building, level, truth, track):
+def draw_level(axes, building, level, walked, truth, track):
+    """Draws the walked rooms of a level with what borders them in grey."""
     for room in building["rooms"]:
         if room["level"] != level:
             continue
+        colour = "black" if room["id"] in walked else "#bbbbbb"
         for wall in room["walls"]:
-            axes.plot(*zip(*wall), color="black", linewidth=0.8)
+            axes.plot(*zip(*wall), color=colour, linewidth=0.9)
         for element in room["reflectors"]:
-            axes.plot(*zip(*element), color="#999999", linewidth=2.5)
+            axes.plot(*zip(*element), color="#cc79a7", linewidth=2)
         outer = room["boundary"][0]
         centre = [sum(axis) / len(outer) for axis in zip(*outer)]
-        axes.annotate(room["id"], centre, ha="center", va="center", fontsize=8, color="#666666")
-    for rows, colour, label in ((truth, TRUE_COLOUR, "true"), (track, ESTIMATE_COLOUR, "estimated")):
+        label = f"{room['id']} {room['name']}".strip()
+        axes.annotate(label, centre, ha="center", va="center", fontsize=8, color="#666666", annotation_clip=True)
+    for door in building["doors"]:
+        if door["level"] == level:
+            axes.plot(*zip(*door["at"]), color="#009e73", linewidth=0, marker="s", markersize=5, zorder=2)
+    for rows, style, label in ((truth, {"color": TRUE_COLOUR, "linewidth": 5, "alpha": 0.45}, "true"),
+                               (track, {"color": ESTIMATE_COLOUR, "linewidth": 1.1}, "estimated")):
         points = [(x, y) if row_level == level else (math.nan, math.nan) for _, row_level, x, y in rows]
-        axes.plot(*zip(*points), color=colour, linewidth=1.2, label=label)
+        axes.plot(*zip(*points), label=label, zorder=3, **style)
+    margin = 1.0
+    corners = [point for room in building["rooms"] if room["id"] in walked and room["level"] == level
+               for point in room["boundary"][0]]
+    xs, ys = zip(*corners)
+    axes.set_xlim(min(xs) - margin, max(xs) + margin)
+    axes.set_ylim(min(ys) - margin, max(ys) + margin)
     axes.set_aspect("equal")
-    axes.set_title(f"Level {level}")
+    axes.set_title(f"Level {level}: true and estimated path (doors green)")
     axes.set_xlabel("x, m")
     axes.set_ylabel("y, m")
     axes.legend(loc="best", fontsize=8)
@@ -83,14 +96,16 @@ def main():
     arguments = parser.parse_args()
     building = describe(arguments.echoway, arguments.building)
     rooms = {room["id"]: room for room in building["rooms"]}
-    truth = [placed(row, rooms) for row in read_log(arguments.truth)]
+    truth_rows = read_log(arguments.truth)
+    truth = [placed(row, rooms) for row in truth_rows]
+    walked = {row["room"] for row in truth_rows}
     rows = read_log(arguments.track)
     track = [placed(row, rooms) for row in rows]
     levels = sorted({level for _, level, _, _ in truth})
 
     figure, all_axes = plt.subplots(1, len(levels) + 1, figsize=(6.5 * (len(levels) + 1), 6), squeeze=False)
     for axes, level in zip(all_axes[0], levels):
-        draw_level(axes, building, level, truth, track)
+        draw_level(axes, building, level, walked, truth, track)
     axes = all_axes[0][-1]
     times = [row[0] for row in track]
     axes.plot(times, errors(track, truth), color=ESTIMATE_COLOUR, linewidth=0.9, label="error")
