@@ -136,8 +136,9 @@ void compile_cell(const RoomScene& room, Vec2 low, Vec2 high, const SightLimits&
     c.reflector = static_cast<std::uint16_t>(i);
     if (!candidate_for(room, r, box, limits, c)) continue;
     const auto through_door = [&] {
-      return hull_may_touch<6>({box[0], box[1], box[2], box[3], c.feet.a, c.feet.b},
-                               room.openings[static_cast<std::size_t>(r.opening)].span());
+      const Opening& door = room.openings[static_cast<std::size_t>(r.opening)];
+      return distance_to_box(door.centre, box) < kInDoorway ||
+             hull_may_touch<6>({box[0], box[1], box[2], box[3], c.feet.a, c.feet.b}, door.span());
     };
     if (r.opening >= 0 && !through_door()) continue;
     seen.push_back(c);

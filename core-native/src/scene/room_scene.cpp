@@ -15,7 +15,6 @@ constexpr double kJambTolerance = 0.20;      // An edge this near to a jamb is t
 constexpr double kShortestPiece = 1e-6;      // Pieces of wall shorter than this echo nothing.
 constexpr double kSideProbe = 1e-3;          // How far beside a wall its inner side is looked for.
 constexpr double kMargin = 0.3;              // Grid around the floor, so that a belt against the wall has a cell.
-constexpr double kCellSize = 0.5;
 constexpr int kMaxCellsPerRoom = 16384;
 
 FloorLoops make_floor(const Room& room) {
@@ -143,7 +142,7 @@ void compile_own(const Room& room, RoomScene& scene) {
   scene.own_reflectors = scene.reflectors.size();
 }
 
-void place_grid(RoomScene& scene, std::uint32_t& next_cell) {
+void place_grid(RoomScene& scene, double cell_size, std::uint32_t& next_cell) {
   scene.low = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   scene.high = -scene.low;
   for (Vec2 v : scene.floor.vertices) {
@@ -152,7 +151,7 @@ void place_grid(RoomScene& scene, std::uint32_t& next_cell) {
   }
   if (scene.floor.vertices.empty()) scene.low = scene.high = Vec2{};
   const Vec2 size = scene.high - scene.low + Vec2{2 * kMargin, 2 * kMargin};
-  scene.cell_size = std::max(kCellSize, std::sqrt(size.x * size.y / kMaxCellsPerRoom));
+  scene.cell_size = std::max(cell_size, std::sqrt(size.x * size.y / kMaxCellsPerRoom));
   scene.cell_size = std::max(scene.cell_size, std::max(size.x, size.y) / 4096.0);
   scene.columns = std::max(1, static_cast<int>(std::ceil(size.x / scene.cell_size)));
   scene.rows = std::max(1, static_cast<int>(std::ceil(size.y / scene.cell_size)));
@@ -242,7 +241,7 @@ void add_mirrored_corners(RoomScene& scene, double max_range) {
 
 }  // namespace
 
-std::vector<RoomScene> compile_rooms(const Building& building, double max_range) {
+std::vector<RoomScene> compile_rooms(const Building& building, double max_range, double cell_size) {
   std::vector<RoomScene> own(building.rooms.size());
   for (const Door& d : building.doors) {
     own[d.room_a].openings.push_back(make_opening(building, d.room_a, d.at_a, d.room_b, d.at_b, d.width));
@@ -254,7 +253,7 @@ std::vector<RoomScene> compile_rooms(const Building& building, double max_range)
     for (Opening& o : own[i].openings) o.tangent = wall_direction_at(room, o.centre);
     own[i].floor = make_floor(room);
     compile_own(room, own[i]);
-    place_grid(own[i], next_cell);
+    place_grid(own[i], cell_size, next_cell);
   }
   std::vector<RoomScene> scenes = own;
   for (std::size_t i = 0; i < own.size(); ++i) {

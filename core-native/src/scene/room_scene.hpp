@@ -51,6 +51,6 @@ struct RoomScene {
 };
 
 /// Compiles every room of `building`. Sound is followed through at most two open doors and `max_range` metres.
-[[nodiscard]] std::vector<RoomScene> compile_rooms(const Building& building, double max_range);
+[[nodiscard]] std::vector<RoomScene> compile_rooms(const Building& building, double max_range, double cell_size);
 
 }  // namespace echoway::scene

@@ -8,8 +8,8 @@ namespace {
 constexpr std::size_t kMaxSlots = 3072;
 }
 
-Scene::Scene(const Building& building, const SightLimits& limits)
-    : rooms_(compile_rooms(building, limits.max_range)), limits_(limits) {
+Scene::Scene(const Building& building, const SightLimits& limits, double cell_size)
+    : rooms_(compile_rooms(building, limits.max_range, cell_size)), limits_(limits) {
   std::size_t cells = 0;
   for (const RoomScene& r : rooms_) cells += static_cast<std::size_t>(r.columns) * static_cast<std::size_t>(r.rows);
   std::size_t reflectors = 0;

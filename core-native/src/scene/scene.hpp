@@ -13,7 +13,8 @@ namespace echoway::scene {
 /// large building loads at once, holds little, and the firing path allocates nothing.
 class Scene {
  public:
-  Scene(const Building& building, const SightLimits& limits);
+  /// Cells are `cell_size` metres wide, more in very large rooms.
+  Scene(const Building& building, const SightLimits& limits, double cell_size = 0.5);
 
   [[nodiscard]] const RoomScene& room(RoomIndex r) const noexcept { return rooms_[static_cast<std::size_t>(r)]; }
   [[nodiscard]] std::size_t room_count() const noexcept { return rooms_.size(); }

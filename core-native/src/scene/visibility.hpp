@@ -46,6 +46,9 @@ template <std::size_t N>
   return (c > 0.0) != (f > 0.0);
 }
 
+/// What lies beyond a door is heard through the opening; nearer to its centre than this, the belt may already be through.
+inline constexpr double kInDoorway = 0.6;
+
 /// Sight to a reflector is followed to this much in front of it, so that what it touches does not hide it.
 inline constexpr double kSightClearance = 0.03;
 

@@ -21,17 +21,23 @@ using namespace tracker;
 
 namespace {
 
+Shot with_full_trust(Shot shot) noexcept {
+  shot.trust = 1.0;
+  return shot;
+}
+
 constexpr double kStartPositionSigma = 0.30;      // Metres: what "here" means to whoever says it.
 constexpr double kStartHeadingSigma = degrees(6.0);
 constexpr std::size_t kSearchCapacity = 2400;
-constexpr std::size_t kRivalCapacity = 600;
+constexpr std::size_t kAlternativeCapacity = 600;
 constexpr std::size_t kParticlesPerCell = 14;     // While several places are possible.
 constexpr std::size_t kSettledCells = 10;         // A belief this narrow takes the tracking number of particles.
 constexpr double kLongestInterval = 3.0;          // Seconds that are still walked through; longer ones are a break.
 constexpr double kTemperatureSigma = 0.006;       // ln of speed: 3.5 K, a thermometer against the body.
 constexpr double kNewPlace = 0.25;                // Metres ...
 constexpr double kNewDirection = degrees(8.0);    // ... or a turn after which a sensor sees something else.
-constexpr double kLeastNovelty = 0.25;
+constexpr double kLeastNovelty = 0.20;
+constexpr double kMostNovelty = 0.70;              // Even then its errors are not all new: the same cupboard, the same stride.
 constexpr double kSurelyUnmapped = 0.6;
 constexpr double kSureEnough = 0.35;               // Metres.
 constexpr double kBeyondArms = 0.40;               // Metres.
@@ -59,7 +65,7 @@ class BayesLocator::Core {
         scene_(building, model_.sight_limits()),
         random_(options.seed),
         main_(kSearchCapacity),
-        rivals_(kRivalCapacity),
+        alternatives_(kAlternativeCapacity),
         search_(scene_, Search::Parameters{}),
         health_(belt.sensors) {
     for (int i = 0; i < belt.sensors; ++i) {
@@ -102,7 +108,7 @@ class BayesLocator::Core {
   MotionParameters motion_;
   Random random_;
   Population main_;
-  Population rivals_;
+  Population alternatives_;
   Search search_;
   SensorHealth health_;
   History history_;
@@ -219,7 +225,13 @@ double BayesLocator::Core::update(Population& population, const Record& record, 
     advance(p, record.interval, motion_, pace_, random_);
     p.weight *= p.gait == Gait::walking ? gait.walking : gait.standing;
     before += p.weight;
-    if (record.trust > 0.0) {
+    if (record.trust > 0.0 || tracked) {
+      if (record.trust <= 0.0) {
+        Particle untouched = p;
+        heard_mapped += p.weight * assimilate(untouched, with_full_trust(shot), model_, scene_).mapped;
+        p.weight *= settle_on_floor(p, scene_);
+        continue;
+      }
       const Outcome outcome = assimilate(p, shot, model_, scene_);
       heard_mapped += p.weight * outcome.mapped;
       p.weight *= record.novelty < 1.0 ? fast_exp(record.novelty * fast_log(outcome.density)) : outcome.density;
@@ -240,7 +252,7 @@ double BayesLocator::Core::novelty(int sensor, const Interval& interval) {
   const double moved = (travelled_ - visit.travelled) / kNewPlace + (turned_ - visit.turned) / kNewDirection;
   const bool first = !visit.made;
   visit = {true, travelled_, turned_};
-  return first || main_.empty() ? 1.0 : std::clamp(moved, kLeastNovelty, 1.0);
+  return first || main_.empty() ? 1.0 : std::clamp(moved, kLeastNovelty, kMostNovelty);
 }
 
 std::span<const Spot> BayesLocator::Core::recall(const Shot& shot) {
@@ -291,7 +303,7 @@ bool BayesLocator::Core::on_firing(const Firing& firing) {
   record.sensor = firing.sensor;
   record.echo = firing.has_echo() && firing.range_m < belt_.max_range_m * 1.1;
   record.range = std::max(firing.range_m, 0.01);
-  record.trust = health_.on_firing(firing.sensor, record.echo, record.range);
+  record.trust = health_.trust(firing.sensor, record.echo);
   record.novelty = novelty(firing.sensor, record.interval);
   gyro_ = record.interval.turn_known;
   history_.push(record);
@@ -306,6 +318,8 @@ bool BayesLocator::Core::on_firing(const Firing& firing) {
   if (!main_.empty()) thin_out(main_);
   conclude(firing.time_s);
   remember(record);
+  const double progress = travelled_ / kNewPlace + turned_ / kNewDirection;
+  health_.judge(record.sensor, record.echo, record.range, progress, estimate_.state == TrackState::tracking ? unmapped_ : 0.0);
   return true;
 }
 
@@ -356,14 +370,14 @@ void BayesLocator::Core::consider_alternatives() {
     search_.stop();
     return;
   }
-  search_.take(rivals_, random_, motion_);
-  if (main_.size() + rivals_.size() > main_.capacity()) main_.resample(main_.capacity() - rivals_.size(), random_);
+  search_.take(alternatives_, random_, motion_);
+  if (main_.size() + alternatives_.size() > main_.capacity()) main_.resample(main_.capacity() - alternatives_.size(), random_);
   for (Particle& p : main_.particles()) p.weight *= 1.0 - share;
-  for (Particle& p : rivals_.particles()) {
+  for (Particle& p : alternatives_.particles()) {
     p.weight *= share;
     main_.push(p);
   }
-  rivals_.clear();
+  alternatives_.clear();
   if (share < 0.5) return;
   memory_.clear();
   fit_.reset();
@@ -372,7 +386,7 @@ void BayesLocator::Core::consider_alternatives() {
 void BayesLocator::Core::on_temperature(double celsius) {
   if (!(celsius > -40.0 && celsius < 60.0)) return;
   // Sound that is faster than assumed makes ranges come out short.
-  const double log_scale = std::log(speed_of_sound(kReferenceCelsius) / speed_of_sound(celsius));
+  const double log_scale = std::log(speed_of_sound(belt_.temperature_c) / speed_of_sound(celsius));
   if (main_.empty()) {
     log_scale_ = log_scale;
     log_scale_sigma_ = kTemperatureSigma;

@@ -35,7 +35,7 @@ EchoModel::EchoModel(const BeltConfig& belt, const EchoModelParameters& p) {
   ghost_density_ = p.ghost / span;
   for (std::size_t i = 0; i < kReachEntries; ++i) {
     const double d = (static_cast<double>(i) + 0.5) / kReachPerMetre;
-    const bool blanked = d < 0.8 * belt.min_range_m;
+    const bool blanked = d < 0.8 * belt.min_range_m || d > belt.max_range_m + 0.25;
     const double in_range = blanked ? 0.0 : logistic((belt.max_range_m - 0.15 - d) / 0.1);
     reach_[static_cast<std::size_t>(scene::ReflectorKind::wall)][i] = p.detect_wall * in_range * logistic((p.fade_range_m - d) / p.fade_softness_m);
     reach_[static_cast<std::size_t>(scene::ReflectorKind::corner)][i] = p.detect_corner * in_range * logistic((p.fade_range_m - d) / p.fade_softness_m);

@@ -119,6 +119,13 @@ bool hidden(const RoomScene& room, const Cell& cell, const Cell::Entry& entry, V
   return false;
 }
 
+// True when `r` lies beyond a door through which the way to `target` does not lead.
+bool beside_its_door(const RoomScene& room, const Reflector& r, Vec2 eye, Vec2 target) noexcept {
+  if (r.opening < 0) return false;
+  const scene::Opening& door = room.openings[static_cast<std::size_t>(r.opening)];
+  return !scene::blocks(door.span(), eye, target) && squared_norm(eye - door.centre) >= scene::kInDoorway * scene::kInDoorway;
+}
+
 void insert_sorted(ExpectedEchoes& list, const ExpectedEcho& echo) noexcept {
   int at = std::min(list.count, ExpectedEchoes::kMax);
   if (at == ExpectedEchoes::kMax) {
@@ -134,17 +141,24 @@ void insert_sorted(ExpectedEchoes& list, const ExpectedEcho& echo) noexcept {
   list.echo[static_cast<std::size_t>(at)] = echo;
 }
 
+Vec2 axis_of(const Particle& p, const Shot& shot) noexcept {
+  return {p.facing.x * shot.bearing.x - p.facing.y * shot.bearing.y, p.facing.y * shot.bearing.x + p.facing.x * shot.bearing.y};
+}
+
 }  // namespace
 
 ExpectedEchoes expect(const Particle& p, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept {
-  const Vec2 axis{p.facing.x * shot.bearing.x - p.facing.y * shot.bearing.y,
-                  p.facing.y * shot.bearing.x + p.facing.x * shot.bearing.y};
+  const Vec2 eye = p.position + shot.radius * axis_of(p, shot);
+  return expect_from(scene.cell_at(p.room, eye), scene.room(p.room), p, shot, model);
+}
+
+ExpectedEchoes expect_from(const Cell& cell, const RoomScene& room, const Particle& p, const Shot& shot,
+                           const EchoModel& model) noexcept {
+  const Vec2 axis = axis_of(p, shot);
   const View view{p.position + shot.radius * axis, axis, shot.coarse, model};
   const double turns = (p.heading + shot.bearing_rad) * (1.0 / kTwoPi);
   const double part = turns - std::floor(turns);
   const auto sector = std::min(static_cast<std::size_t>(part * Cell::kSectors), std::size_t{Cell::kSectors - 1});
-  const RoomScene& room = scene.room(p.room);
-  const Cell& cell = scene.cell_at(p.room, view.eye);
 
   ExpectedEchoes list;
   for (unsigned i = cell.sector_begin[sector]; i < cell.sector_begin[sector + 1]; ++i) {
@@ -160,7 +174,7 @@ ExpectedEchoes expect(const Particle& p, const Shot& shot, const EchoModel& mode
       case ReflectorKind::all_reflective: seen = see_all_reflective(r, view, echo, target); break;
       case ReflectorKind::mirrored_corner: seen = see_mirrored(room, r, view, echo, target); break;
     }
-    if (!seen || echo.chance <= 0.0) continue;
+    if (!seen || echo.chance <= 0.0 || beside_its_door(room, r, view.eye, target)) continue;
     const bool mirrored = r.kind == ReflectorKind::mirrored_corner;
     const double way = mirrored ? distance(target, view.eye) : echo.range;
     if (hidden(room, cell, entry, view.eye, target, way)) continue;

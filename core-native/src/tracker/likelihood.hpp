@@ -39,6 +39,9 @@ struct ExpectedEchoes {
 
 [[nodiscard]] ExpectedEchoes expect(const Particle& particle, const Shot& shot, const EchoModel& model,
                                     scene::Scene& scene) noexcept;
+/// The same from a given list of what may be seen.
+[[nodiscard]] ExpectedEchoes expect_from(const scene::Cell& cell, const scene::RoomScene& room, const Particle& particle,
+                                         const Shot& shot, const EchoModel& model) noexcept;
 
 /// Density of the shot's reading given the particle, per metre for an echo and a plain probability for none, and the
 /// particle's Gaussian updated with it. Reflectors answer in order of distance, the nearest that does wins:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tracker/elementary.hpp"
 
@@ -143,7 +144,12 @@ Summary summarize(std::span<const Particle> particles, const Building& building,
     }
     if (found >= 0) add(clusters[static_cast<std::size_t>(found)], p, at, frame);
   }
-  std::stable_sort(clusters.begin(), clusters.begin() + count, [](const Cluster& a, const Cluster& b) { return a.weight > b.weight; });
+  // Insertion sort: a dozen at most, and std::stable_sort would allocate.
+  for (int i = 1; i < count; ++i) {
+    for (int j = i; j > 0 && clusters[static_cast<std::size_t>(j)].weight > clusters[static_cast<std::size_t>(j - 1)].weight; --j) {
+      std::swap(clusters[static_cast<std::size_t>(j)], clusters[static_cast<std::size_t>(j - 1)]);
+    }
+  }
   summary.count = count;
   for (int i = 0; i < count; ++i) {
     const Cluster& c = clusters[static_cast<std::size_t>(i)];
