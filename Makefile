@@ -55,6 +55,10 @@ test-core: core ## The C++ tests
 test: test-core ## Every test
 	@$(PYTHON) scripts/count_tests.py $(RESULTS)
 
+.PHONY: validate-simulator
+validate-simulator: core ## Compare the simulated world with measurements: docs/simulator-validation.md
+	@$(PYTHON) scripts/validate_simulator.py
+
 .PHONY: clean
 clean: ## Remove everything that was built
 	rm -rf $(BUILD)

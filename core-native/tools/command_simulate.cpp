@@ -28,6 +28,7 @@ struct Options {
   std::vector<double> bearings;
   double radius_m = BeltConfig{}.radius_m;
   double random_s = 0.0;
+  bool draw_world = false;
   bool parameters = false;
 };
 
@@ -118,7 +119,8 @@ Status scan_at(const Options& options) {
   if (!stands.ok()) return stands.error();
   const Result<sim::Profile> profile = profile_of(options);
   if (!profile.ok()) return profile.error();
-  sim::World world = sim::make_world(*profile);
+  Random random(options.seed.value_or(1));
+  sim::World world = options.draw_world ? sim::random_world(*profile, random) : sim::make_world(*profile);
   if (Status status = set_parameters(options, world); !status.ok()) return status;
   sim::Ring ring;
   ring.belt.radius_m = options.radius_m;
@@ -160,6 +162,7 @@ void add_simulate(CLI::App& app, int& status) {
       ->check(CLI::Range(1.0, 36000.0));
   command->add_option("--profile", options->profile, "Of a random walk or a scan: empty, furnished or hard");
   command->add_option("--at", options->stands, "Instead of a walk: one scan at each pose of this truth file");
+  command->add_flag("--draw-world", options->draw_world, "For --at: draw the world's parameters from the seed");
   command->add_option("--bearings", options->bearings, "For --at: the sensors' bearings, degrees (default: the belt's)")
       ->delimiter(',');
   command->add_option("--radius", options->radius_m, "For --at: from the axis to the transducers, metres");

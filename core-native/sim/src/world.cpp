@@ -34,13 +34,14 @@ World make_world(Profile profile) {
     case Profile::furnished:
       break;
     case Profile::hard:
-      world.furniture_per_m2 = 0.12;
-      world.posts_per_m2 = 0.1;
+      world.furniture_per_m2 = 0.2;
+      world.posts_per_m2 = 0.2;
       world.people_per_100m2 = 4.0;
-      world.rough_walls = 0.25;
+      world.rough_walls = 0.3;
       world.doors_shut = 0.4;
       world.bad_ballasts = 0.1;
       world.dropout = 0.1;
+      world.arms = 0.8;
       world.ghost = 0.03;
       world.crosstalk = 0.02;
       world.flutter_db = 2.5;
@@ -69,11 +70,11 @@ World random_world(Profile profile, Random& random) {
   world.edge_gain_db = random.uniform(0.0, 20.0);
   world.door_casings = random.uniform(0.3, 1.0);
   world.rough_walls *= random.uniform(0.0, 2.0);
-  world.furniture_per_m2 = around(world.furniture_per_m2);
-  world.posts_per_m2 = around(world.posts_per_m2);
+  world.furniture_per_m2 *= random.uniform(0.2, 1.8);
+  world.posts_per_m2 *= random.uniform(0.2, 1.8);
   world.people_per_100m2 = around(world.people_per_100m2);
   world.doors_shut = around(world.doors_shut);
-  world.arms = random.uniform(0.0, 1.0);
+  world.arms = profile == Profile::hard ? random.uniform(0.5, 1.0) : random.uniform(0.0, 1.0);
   world.yaw_sway_rad = around(world.yaw_sway_rad);
   world.side_sway_m = around(world.side_sway_m);
   world.dropout = around(world.dropout);

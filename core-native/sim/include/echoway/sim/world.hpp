@@ -34,12 +34,12 @@ struct World {
   double reflectivity = 0.9;             ///< Mean amplitude left after a bounce off a wall.
   double edge_gain_db = 14.0;            ///< Door jambs and convex corners above the ideal edge: mouldings, rounding.
   double door_casings = 0.7;             ///< Share of doors whose frame stands out from the wall and so makes corners.
-  double rough_walls = 0.1;              ///< Share of walls that answer at any incidence: brick, books, curtains.
+  double rough_walls = 0.15;             ///< Share of walls that answer at any incidence: brick, books, curtains.
   bool mirror_paths = true;              ///< Echoes by way of walls that are not met squarely.
 
   // What stands and goes about, in no plan.
-  double furniture_per_m2 = 0.05;        ///< Cupboards, desks, sofas.
-  double posts_per_m2 = 0.03;            ///< Lamp stands, chair and table legs.
+  double furniture_per_m2 = 0.1;         ///< Cupboards, desks, sofas.
+  double posts_per_m2 = 0.08;            ///< Lamp stands, chair and table legs.
   double people_per_100m2 = 1.0;
   double doors_shut = 0.2;               ///< Share of the doors that the walk does not use.
   double door_leaves = 0.6;              ///< Share of open doors whose leaf stands in a room.
