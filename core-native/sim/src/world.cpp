@@ -77,7 +77,8 @@ World random_world(Profile profile, Random& random) {
   world.arms = profile == Profile::hard ? random.uniform(0.5, 1.0) : random.uniform(0.0, 1.0);
   world.yaw_sway_rad = around(world.yaw_sway_rad);
   world.side_sway_m = around(world.side_sway_m);
-  world.dropout = around(world.dropout);
+  // Some real sensors fail to answer a quarter of the time, whatever stands before them.
+  world.dropout = random.uniform() < 0.15 ? random.uniform(0.1, 0.3) : around(world.dropout);
   world.ghost = around(world.ghost);
   world.step_length_m = random.uniform(0.5, 0.8);
   world.step_missed = random.uniform(0.0, 0.12);

@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "echoway/building/loader.hpp"
 #include "sim/rooms.hpp"
 #include "support/temp_dir.hpp"
 
@@ -120,6 +121,21 @@ TEST(WalkFile, AFileThatIsNotThereIsAnErrorWithItsName) {
   const Result<Walk> walk = read_walk("no/such.walk");
   ASSERT_FALSE(walk.ok());
   EXPECT_THAT(walk.error().to_string(), testing::StartsWith("no/such.walk: "));
+}
+
+TEST(WalkFile, EveryWalkThatComesWithAMapCanBeWalked) {
+  int walks = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(ECHOWAY_MAPS_DIR)) {
+    if (entry.path().extension() != ".walk") continue;
+    const Result<Walk> walk = read_walk(entry.path());
+    ASSERT_TRUE(walk.ok()) << walk.error().to_string();
+    const Result<Building> building = load_building(entry.path().parent_path() / walk->building);
+    ASSERT_TRUE(building.ok()) << building.error().to_string();
+    const Result<Simulation> run = simulate(*building, *walk);
+    EXPECT_TRUE(run.ok()) << run.error().to_string();
+    ++walks;
+  }
+  EXPECT_GE(walks, 8);
 }
 
 TEST(WalkFile, TheGuideExplainsEveryParameterOfTheWorld) {
