@@ -1,0 +1,129 @@
+package org.echoway.core
+
+import java.io.Closeable
+import java.io.File
+import java.nio.ByteBuffer
+import java.util.concurrent.atomic.AtomicLong
+
+/** The belt as it is configured. Defaults: the prototype with fifteen sensors, 0.15 m around the wearer's axis. */
+data class BeltSetup(val sensors: Int = 15, val radiusM: Double = 0.15)
+
+/**
+ * What is known of the wearer's pose at the start.
+ *
+ * @property room index into [Plan.rooms], or [Plan.NO_ROOM] to search the whole building
+ * @property at in the room's frame; null when unknown
+ * @property heading radians in the room's frame; null when unknown
+ */
+data class Start(val room: Int = Plan.NO_ROOM, val at: Point? = null, val heading: Double? = null)
+
+/** Ordinals as in the core. */
+enum class MotionKind {
+    /** A step; the value is 1. */
+    STEP,
+
+    /** Turn rate about the vertical, rad/s, counter-clockwise. */
+    YAW_RATE,
+
+    /** Absolute heading in the level's frame, rad. */
+    HEADING,
+}
+
+/** What the phone's own sensors say about the wearer's motion. */
+data class MotionHint(val timeS: Double, val kind: MotionKind, val value: Double)
+
+/**
+ * One wearer in one building: the core, behind its handle. Not thread-safe: one thread gives it everything and closes it.
+ * Times are seconds on one monotonic clock. Feeding it allocates nothing; reading [estimate] allocates the value it returns.
+ */
+class CoreSession private constructor(handle: Long) : Closeable {
+    private val handle = AtomicLong(handle)
+    private val estimateBuffer = EstimateLayout.newBuffer()
+    private val healthBuffer = BeltHealthLayout.newBuffer()
+    private val bytes: ByteBuffer = ByteBuffer.allocateDirect(CHUNK_BYTES)
+
+    /** The estimate after the newest input. */
+    val estimate: Estimate get() = EstimateLayout.read(estimateBuffer)
+
+    /** The belt's health now. */
+    val beltHealth: BeltHealth
+        get() {
+            checked(NativeCore.beltHealth(open(), healthBuffer))
+            return BeltHealthLayout.read(healthBuffer)
+        }
+
+    /** Bytes from the belt's line, cut anywhere. Returns how many firings they completed. */
+    fun onBytes(data: ByteArray, arrivalS: Double): Int {
+        var firings = 0
+        for (from in data.indices step CHUNK_BYTES) {
+            val length = minOf(CHUNK_BYTES, data.size - from)
+            bytes.clear()
+            bytes.put(data, from, length)
+            firings += checked(NativeCore.onBytes(open(), bytes, length, arrivalS, estimateBuffer))
+        }
+        return firings
+    }
+
+    fun onMotion(hint: MotionHint) {
+        checked(NativeCore.onMotion(open(), hint.kind.ordinal, hint.value, hint.timeS, estimateBuffer))
+    }
+
+    /** Time passes: at least twice a second while no bytes arrive, so that a silent belt is noticed. */
+    fun onTick(nowS: Double) {
+        checked(NativeCore.onTick(open(), nowS, estimateBuffer))
+    }
+
+    fun onBeltAttached(nowS: Double) {
+        checked(NativeCore.onBelt(open(), true, nowS, estimateBuffer))
+    }
+
+    fun onBeltDetached(nowS: Double) {
+        checked(NativeCore.onBelt(open(), false, nowS, estimateBuffer))
+    }
+
+    /** Forgets where the wearer is and starts over. */
+    fun restart(start: Start) {
+        val error = arrayOfNulls<String>(1)
+        val status = NativeCore.restart(open(), start.room, start.x, start.y, start.turn, estimateBuffer, error)
+        error[0]?.let { throw CoreException(it) }
+        checked(status)
+    }
+
+    /** Safe to call twice. */
+    override fun close() {
+        val closing = handle.getAndSet(0L)
+        if (closing != 0L) NativeCore.close(closing)
+    }
+
+    private fun open(): Long = handle.get().also { check(it != 0L) { "The session is closed." } }
+
+    private fun checked(result: Int): Int {
+        check(result >= 0) {
+            when (result) {
+                NativeCore.BAD_HANDLE -> "The core does not know this session."
+                NativeCore.BAD_BUFFER -> "A buffer is too small or not direct."
+                else -> "The core failed ($result)."
+            }
+        }
+        return result
+    }
+
+    companion object {
+        private const val CHUNK_BYTES = 4096
+
+        /** @throws CoreException when the building is unusable or the start does not exist in it */
+        fun open(building: File, nowS: Double, start: Start = Start(), belt: BeltSetup = BeltSetup(), seed: Long = 1): CoreSession {
+            val error = arrayOfNulls<String>(1)
+            val handle =
+                NativeCore.open(building.path, belt.sensors, belt.radiusM, start.room, start.x, start.y, start.turn, seed, error)
+            if (handle == 0L) throw CoreException(error[0] ?: "The building could not be opened.")
+            val session = CoreSession(handle)
+            session.onTick(nowS) // fills the estimate
+            return session
+        }
+    }
+}
+
+private val Start.x get() = at?.x ?: Double.NaN
+private val Start.y get() = at?.y ?: Double.NaN
+private val Start.turn get() = heading ?: Double.NaN

@@ -1,0 +1,36 @@
+package org.echoway.core
+
+import java.nio.ByteBuffer
+
+/** Reads the plan that the core wrote; see `core-native/jni/layouts.hpp`. */
+internal class PlanLayout(private val from: ByteBuffer) {
+    fun read() = Plan(
+        name = text(),
+        rooms = list { room() },
+        doors = list { Door(spot(), spot(), from.getDouble()) },
+        links = list { LevelLink(LevelLinkKind.entries[from.getInt()], spot(), spot()) },
+        exits = list { Landmark(spot(), text()) },
+        places = list { Landmark(spot(), text()) },
+    )
+
+    private fun room() = Room(
+        id = text(),
+        name = text(),
+        level = from.getInt(),
+        frame = Frame(from.getDouble(), from.getDouble(), from.getDouble()),
+        walls = list { Wall(point(), point()) },
+        boundary = list { list { point() } },
+    )
+
+    private fun spot() = Spot(from.getInt(), point())
+
+    private fun point() = Point(from.getDouble(), from.getDouble())
+
+    private fun <T> list(item: () -> T): List<T> = List(from.getInt()) { item() }
+
+    private fun text(): String {
+        val bytes = ByteArray(from.getInt())
+        from.get(bytes)
+        return String(bytes, Charsets.UTF_8)
+    }
+}

@@ -1,0 +1,31 @@
+package org.echoway.core
+
+import java.io.File
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+
+/** Reads floor plans with the core's own loader. */
+object PlanLoader {
+    private const val FIRST_GUESS_BYTES = 1 shl 16
+
+    /** @throws CoreException when the building is unusable; its message is `file:line: what is wrong` */
+    fun load(folder: File): Plan {
+        var buffer = newBuffer(FIRST_GUESS_BYTES)
+        var size = write(folder, buffer)
+        if (size > buffer.capacity()) {
+            buffer = newBuffer(size)
+            size = write(folder, buffer)
+        }
+        check(size <= buffer.capacity()) { "The building changed while it was read." }
+        return PlanLayout(buffer).read()
+    }
+
+    private fun newBuffer(bytes: Int) = ByteBuffer.allocateDirect(bytes).order(ByteOrder.nativeOrder())
+
+    private fun write(folder: File, buffer: ByteBuffer): Int {
+        val error = arrayOfNulls<String>(1)
+        val size = NativeCore.plan(folder.path, buffer, error)
+        if (size < 0) throw CoreException(error[0] ?: "The building could not be read.")
+        return size
+    }
+}
