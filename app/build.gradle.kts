@@ -28,8 +28,12 @@ android {
         // The floor plans that come with the app are the project's own.
         getByName("main") { assets.directories += "../maps" }
         // Compose and JNI tests run on the host and on devices alike.
-        getByName("test") { kotlin.directories += "src/sharedTest/kotlin" }
-        getByName("androidTest") { kotlin.directories += "src/sharedTest/kotlin" }
+        for (name in listOf("test", "androidTest")) {
+            getByName(name) {
+                kotlin.directories += "src/sharedTest/kotlin"
+                resources.directories += "src/sharedTest/resources"
+            }
+        }
     }
 
     buildFeatures {
@@ -45,8 +49,8 @@ android {
         unitTests {
             isIncludeAndroidResources = true
             all {
-                // The JNI library for the host, built by `make core-jni`.
-                it.systemProperty("java.library.path", rootProject.file("build/jni/jni").path)
+                // The JNI library for the host, built by `make core`.
+                it.systemProperty("java.library.path", rootProject.file("build/release/jni").path)
                 it.systemProperty("echoway.root", rootProject.projectDir.path)
             }
         }

@@ -1,0 +1,131 @@
+package org.echoway.app
+
+import android.Manifest
+import android.content.Context
+import android.content.pm.PackageManager
+import android.hardware.SensorManager
+import android.media.AudioManager
+import android.media.ToneGenerator
+import android.os.Build
+import android.os.Vibrator
+import androidx.core.content.ContextCompat
+import androidx.datastore.preferences.core.PreferenceDataStoreFactory
+import androidx.datastore.preferences.preferencesDataStoreFile
+import java.io.File
+import java.io.IOException
+import java.util.concurrent.Executors
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.asCoroutineDispatcher
+import kotlinx.coroutines.withContext
+import org.echoway.app.belt.AndroidUsbBus
+import org.echoway.app.belt.BeltSource
+import org.echoway.app.belt.ReplayedBelt
+import org.echoway.app.belt.UsbBeltSource
+import org.echoway.app.belt.UsbBus
+import org.echoway.app.belt.WalkLog
+import org.echoway.app.building.Buildings
+import org.echoway.app.building.BundledBuildings
+import org.echoway.app.engine.Navigator
+import org.echoway.app.guide.Guide
+import org.echoway.app.guide.Wording
+import org.echoway.app.motion.MotionSource
+import org.echoway.app.motion.PhoneMotion
+import org.echoway.app.settings.DataStoreSettings
+import org.echoway.app.settings.Settings
+import org.echoway.app.settings.SettingsStore
+import org.echoway.app.settings.SourceKind
+import org.echoway.app.touch.Buzzer
+import org.echoway.app.touch.PhoneBuzzer
+import org.echoway.app.voice.PhoneAudioFocus
+import org.echoway.app.voice.TtsVoice
+import org.echoway.app.voice.Voice
+import org.echoway.app.voice.VoiceWithTones
+
+/** The parts of the app, each made once and when first needed. Tests make their own. */
+interface AppContainer {
+    val clock: Clock
+    val settings: SettingsStore
+    val buildings: Buildings
+    val navigator: Navigator
+    val guide: Guide
+    val voice: Voice
+    val buzzer: Buzzer
+    val motion: MotionSource
+    val recordings: File
+    val cacheDir: File
+
+    fun hasSimulatedWalk(building: String): Boolean
+
+    fun beltSource(settings: Settings): BeltSource
+}
+
+/** Whatever is not made for a test. */
+open class PhoneContainer(private val context: Context) : AppContainer {
+    override val clock: Clock get() = Clock.SYSTEM
+
+    override val settings: SettingsStore by lazy {
+        DataStoreSettings(PreferenceDataStoreFactory.create { context.preferencesDataStoreFile("settings") })
+    }
+
+    override val buildings: Buildings by lazy { BundledBuildings(context, versionCode()) }
+
+    override val navigator by lazy {
+        val core = Executors.newSingleThreadExecutor { Thread(it, "echoway-core") }
+        Navigator(core.asCoroutineDispatcher(), clock)
+    }
+
+    override val guide by lazy { Guide(Wording(context.resources), voice, buzzer, clock) }
+
+    override val voice: Voice by lazy {
+        VoiceWithTones(TtsVoice(context, PhoneAudioFocus(context.getSystemService(AudioManager::class.java)))) { beep() }
+    }
+
+    override val buzzer: Buzzer by lazy { PhoneBuzzer(context.getSystemService(Vibrator::class.java)) }
+
+    override val motion: MotionSource by lazy { PhoneMotion(context.getSystemService(SensorManager::class.java), ::stepsAllowed) }
+
+    override val recordings: File get() = File(context.filesDir, "recordings")
+
+    override val cacheDir: File get() = context.cacheDir
+
+    override fun hasSimulatedWalk(building: String) = "$building.scans.csv" in context.assets.list(WALKS).orEmpty()
+
+    protected open val usb: UsbBus by lazy { AndroidUsbBus(context) }
+
+    override fun beltSource(settings: Settings): BeltSource = when (settings.source) {
+        SourceKind.USB -> UsbBeltSource(usb, clock)
+        SourceKind.SIMULATED_WALK -> ReplayedBelt(clock) { bundledWalk(settings.building) }
+        SourceKind.RECORDING -> ReplayedBelt(clock) { recordedWalk(settings.recording) }
+    }
+
+    private suspend fun bundledWalk(building: String?) = withContext(Dispatchers.IO) {
+        fun asset(kind: String) = context.assets.open("$WALKS/$building.$kind.csv").bufferedReader()
+        WalkLog.read(asset("scans"), asset("motion"))
+    }
+
+    private suspend fun recordedWalk(name: String?) = withContext(Dispatchers.IO) {
+        // The name comes from settings; only files of our own folder may be read.
+        val file = recordings.listFiles().orEmpty().firstOrNull { it.name == name } ?: throw IOException("there is no such recording")
+        WalkLog.read(file.bufferedReader())
+    }
+
+    private fun stepsAllowed() = Build.VERSION.SDK_INT < Build.VERSION_CODES.Q ||
+        ContextCompat.checkSelfPermission(context, Manifest.permission.ACTIVITY_RECOGNITION) == PackageManager.PERMISSION_GRANTED
+
+    private fun beep() {
+        toneGenerator?.startTone(ToneGenerator.TONE_PROP_ACK)
+    }
+
+    /** Android throws when it has no tone generator left to give. */
+    private val toneGenerator by lazy {
+        runCatching { ToneGenerator(AudioManager.STREAM_MUSIC, ToneGenerator.MAX_VOLUME) }.getOrNull()
+    }
+
+    private fun versionCode(): Long = context.packageManager.getPackageInfo(context.packageName, 0).let {
+        if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.P) it.longVersionCode else 0L
+    }
+
+    private companion object {
+        const val WALKS = "walks"
+    }
+}

@@ -1,0 +1,54 @@
+package org.echoway.app.belt
+
+import kotlin.math.ceil
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.flow.Flow
+import kotlinx.coroutines.flow.flow
+import org.echoway.app.Clock
+
+/**
+ * Plays a recorded walk as if its belt were on the line now: the same sentences, at the same pace.
+ *
+ * @param load reads the log when playing starts
+ */
+class ReplayedBelt(private val clock: Clock, private val load: suspend () -> WalkLog) : BeltSource {
+    override val bringsMotion = true
+
+    override val events: Flow<BeltEvent> = flow {
+        val log = load()
+        val startS = clock.nowS() - firstTime(log)
+        emit(BeltEvent.Attached)
+        var sequence = 0
+        var statusDueS = Double.NEGATIVE_INFINITY
+        val hints = log.hints.iterator()
+        var hint = if (hints.hasNext()) hints.next() else null
+        for (firing in log.firings) {
+            while (hint != null && hint.timeS <= firing.timeS) {
+                waitUntil(startS + hint.timeS)
+                emit(BeltEvent.Motion(hint.copy(timeS = startS + hint.timeS)))
+                hint = if (hints.hasNext()) hints.next() else null
+            }
+            waitUntil(startS + firing.timeS)
+            if (firing.timeS >= statusDueS) {
+                emit(BeltEvent.Bytes(WireSentence.status(log.sensors, "replay"), startS + firing.timeS))
+                statusDueS = firing.timeS + STATUS_PERIOD_S
+            }
+            emit(BeltEvent.Bytes(WireSentence.range(sequence++, firing.sensor, firing.rangeM), startS + firing.timeS))
+        }
+        emit(BeltEvent.Ended)
+    }
+
+    private suspend fun waitUntil(timeS: Double) {
+        val restMs = ceil((timeS - clock.nowS()) * 1000 - ROUNDING_MS).toLong()
+        if (restMs > 0) delay(restMs)
+    }
+
+    private fun firstTime(log: WalkLog) = minOf(log.firings.first().timeS, log.hints.firstOrNull()?.timeS ?: Double.MAX_VALUE)
+
+    private companion object {
+        const val STATUS_PERIOD_S = 1.0
+
+        /** So that a time that is a whole millisecond stays one. */
+        const val ROUNDING_MS = 1e-6
+    }
+}

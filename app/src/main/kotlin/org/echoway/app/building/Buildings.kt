@@ -1,0 +1,75 @@
+package org.echoway.app.building
+
+import android.content.Context
+import java.io.File
+import java.io.IOException
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.withContext
+import org.echoway.core.CoreException
+import org.echoway.core.Plan
+import org.echoway.core.PlanLoader
+
+/** A floor plan on this phone. */
+data class InstalledBuilding(val id: String, val folder: File, val plan: Plan) {
+    /** What a wearer calls it. */
+    val title get() = plan.name.ifEmpty { id }
+}
+
+/** The floor plans that can be walked in. */
+interface Buildings {
+    /** All that the core can use, in order of their titles. */
+    suspend fun all(): List<InstalledBuilding>
+
+    /** Null when there is none of that id, or it is unusable. */
+    suspend fun find(id: String): InstalledBuilding?
+}
+
+/** Plans that came with the app, laid out as files once a version, because the core reads folders. */
+class BundledBuildings(private val context: Context, private val versionCode: Long) : Buildings {
+    private val folder = File(context.filesDir, "buildings/bundled-$versionCode")
+
+    override suspend fun all(): List<InstalledBuilding> = withContext(Dispatchers.IO) {
+        install()
+        folder.listFiles().orEmpty().mapNotNull(::load).sortedBy { it.title }
+    }
+
+    override suspend fun find(id: String): InstalledBuilding? = withContext(Dispatchers.IO) {
+        install()
+        // An id comes from settings; only a name of one of our own folders may be followed.
+        folder.listFiles().orEmpty().firstOrNull { it.name == id }?.let(::load)
+    }
+
+    private fun load(building: File): InstalledBuilding? = try {
+        InstalledBuilding(building.name, building, PlanLoader.load(building))
+    } catch (_: CoreException) {
+        null
+    }
+
+    private fun install() {
+        if (folder.isDirectory) return
+        val partial = File(folder.parentFile, "partial")
+        partial.deleteRecursively()
+        // Android lists folders here; the host's tests list whole paths.
+        val folders = context.assets.list("").orEmpty().map { it.substringBefore('/') }.distinct()
+        for (id in folders) {
+            val files = context.assets.list(id).orEmpty()
+            if (CONFIG in files) files.forEach { copy("$id/$it", File(partial, "$id/$it")) }
+        }
+        if (!partial.renameTo(folder)) throw IOException("cannot lay out the floor plans in $folder")
+    }
+
+    private fun copy(asset: String, target: File) {
+        target.parentFile?.mkdirs()
+        // A folder inside a building's folder is none of its files.
+        val input = try {
+            context.assets.open(asset)
+        } catch (_: IOException) {
+            return
+        }
+        input.use { from -> target.outputStream().use { from.copyTo(it) } }
+    }
+
+    private companion object {
+        const val CONFIG = "building.cfg"
+    }
+}

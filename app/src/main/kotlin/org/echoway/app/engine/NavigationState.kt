@@ -1,0 +1,29 @@
+package org.echoway.app.engine
+
+import org.echoway.app.building.InstalledBuilding
+import org.echoway.core.BeltHealth
+import org.echoway.core.Estimate
+
+/** What navigation knows now; screen, voice, touch and notification all observe this and nothing else. */
+sealed interface NavigationState {
+    data object Idle : NavigationState
+
+    /** Navigation could not begin; [reason] is the core's own sentence. */
+    data class Failed(val reason: String) : NavigationState
+
+    /**
+     * @property timeS when this was so, on the app's clock
+     * @property line how the belt's line is, as its source says
+     * @property belt what the core heard on it
+     */
+    data class Running(
+        val building: InstalledBuilding,
+        val timeS: Double,
+        val line: Line,
+        val belt: BeltHealth,
+        val estimate: Estimate,
+    ) : NavigationState
+}
+
+/** The belt's line, before anything on it is understood. */
+enum class Line { WAITING, PERMISSION_MISSING, OPEN, GONE, ENDED }

@@ -1,0 +1,52 @@
+package org.echoway.app.service
+
+import android.app.Notification
+import android.app.NotificationChannel
+import android.app.NotificationManager
+import android.app.PendingIntent
+import android.app.Service
+import android.content.Intent
+import androidx.core.app.NotificationCompat
+import org.echoway.app.MainActivity
+import org.echoway.app.R
+import org.echoway.app.engine.NavigationState
+import org.echoway.app.ui.StateWords
+
+/** The ongoing notification: the state in words, "Where am I?" and "Stop". */
+internal class NavigationNotification(private val service: Service) {
+    private val manager = service.getSystemService(NotificationManager::class.java)
+    private val words = StateWords(service.resources)
+
+    init {
+        val name = service.getString(R.string.channel_navigation)
+        // Low: everything that matters is spoken, and a sound of its own would talk over it.
+        manager.createNotificationChannel(NotificationChannel(CHANNEL, name, NotificationManager.IMPORTANCE_LOW))
+    }
+
+    fun text(state: NavigationState): String = words.of(state)
+
+    fun show(text: String) = manager.notify(ID, build(text))
+
+    fun build(text: String): Notification = NotificationCompat.Builder(service, CHANNEL)
+        .setSmallIcon(R.drawable.ic_notification)
+        .setContentTitle(service.getString(R.string.app_name))
+        .setContentText(text)
+        .setOngoing(true)
+        .setOnlyAlertOnce(true)
+        .setForegroundServiceBehavior(NotificationCompat.FOREGROUND_SERVICE_IMMEDIATE)
+        .setContentIntent(activity())
+        .addAction(0, service.getString(R.string.where_am_i), command(NavigationService.ACTION_WHERE_AM_I))
+        .addAction(0, service.getString(R.string.stop), command(NavigationService.ACTION_STOP))
+        .build()
+
+    private fun activity() =
+        PendingIntent.getActivity(service, 0, Intent(service, MainActivity::class.java), PendingIntent.FLAG_IMMUTABLE)
+
+    private fun command(action: String) =
+        PendingIntent.getService(service, 0, NavigationService.intent(service, action), PendingIntent.FLAG_IMMUTABLE)
+
+    companion object {
+        const val ID = 1
+        private const val CHANNEL = "navigation"
+    }
+}

@@ -1,0 +1,128 @@
+package org.echoway.app.service
+
+import android.app.ForegroundServiceStartNotAllowedException
+import android.content.Context
+import android.content.Intent
+import android.content.pm.ServiceInfo
+import android.os.Build
+import android.os.PowerManager
+import androidx.core.app.ServiceCompat
+import androidx.core.content.ContextCompat
+import androidx.lifecycle.LifecycleService
+import androidx.lifecycle.lifecycleScope
+import kotlinx.coroutines.Job
+import kotlinx.coroutines.coroutineScope
+import kotlinx.coroutines.flow.distinctUntilChanged
+import kotlinx.coroutines.flow.first
+import kotlinx.coroutines.flow.map
+import kotlinx.coroutines.launch
+import org.echoway.app.R
+import org.echoway.app.building.startAt
+import org.echoway.app.container
+import org.echoway.app.engine.NavigationState
+import org.echoway.app.guide.hearsBelt
+import org.echoway.app.settings.Settings
+import org.echoway.app.settings.SourceKind
+
+/**
+ * Keeps navigation alive with the screen off. Thin: it starts and stops the parts, shows the notification and holds the
+ * wake lock; what is said and found is theirs.
+ */
+class NavigationService : LifecycleService() {
+    private lateinit var notification: NavigationNotification
+    private lateinit var wakeLock: IdleWakeLock
+    private var navigation: Job? = null
+
+    override fun onCreate() {
+        super.onCreate()
+        notification = NavigationNotification(this)
+        val lock = getSystemService(PowerManager::class.java).newWakeLock(PowerManager.PARTIAL_WAKE_LOCK, "echoway:navigation")
+        wakeLock = IdleWakeLock(lock, container.clock)
+    }
+
+    override fun onStartCommand(intent: Intent?, flags: Int, startId: Int): Int {
+        super.onStartCommand(intent, flags, startId)
+        when (intent?.action) {
+            ACTION_STOP -> stopNavigation()
+            ACTION_WHERE_AM_I -> container.guide.whereAmI()
+            // Without an intent the system brings the service back after it had killed the app.
+            else -> lifecycleScope.launch { startNavigation(restored = intent == null) }
+        }
+        return START_STICKY
+    }
+
+    private suspend fun startNavigation(restored: Boolean) {
+        val settings = container.settings.settings.first()
+        if (restored && !settings.navigating) {
+            stopSelf()
+            return
+        }
+        if (!enterForeground(settings.source)) {
+            stopSelf()
+            return
+        }
+        container.settings.update { it.copy(navigating = true) }
+        navigation?.cancel()
+        navigation = lifecycleScope.launch { navigate(settings) }
+    }
+
+    private suspend fun navigate(settings: Settings) = coroutineScope {
+        val states = container.navigator.state
+        launch { container.guide.run(states) }
+        launch { states.map(notification::text).distinctUntilChanged().collect(notification::show) }
+        launch { states.collect { wakeLock.update(it is NavigationState.Running && it.hearsBelt) } }
+        val building = settings.building?.let { container.buildings.find(it) }
+        if (building == null) {
+            notification.show(getString(R.string.state_no_building))
+            return@coroutineScope
+        }
+        val start = startAt(building.plan, settings.entrance)
+        container.navigator.run(building, start, container.beltSource(settings), container.motion)
+    }
+
+    /** False when the system does not allow it now; a tap on the app then starts it. */
+    private fun enterForeground(source: SourceKind): Boolean = try {
+        val text = notification.text(container.navigator.state.value)
+        ServiceCompat.startForeground(this, NavigationNotification.ID, notification.build(text), type(source))
+        true
+    } catch (_: SecurityException) {
+        false // a connected device without a granted USB permission
+    } catch (e: IllegalStateException) {
+        if (Build.VERSION.SDK_INT < Build.VERSION_CODES.S || e !is ForegroundServiceStartNotAllowedException) throw e
+        false
+    }
+
+    private fun type(source: SourceKind) = when {
+        Build.VERSION.SDK_INT < Build.VERSION_CODES.UPSIDE_DOWN_CAKE || source == SourceKind.USB ->
+            ServiceInfo.FOREGROUND_SERVICE_TYPE_CONNECTED_DEVICE
+        else -> ServiceInfo.FOREGROUND_SERVICE_TYPE_SPECIAL_USE
+    }
+
+    private fun stopNavigation() {
+        navigation?.cancel()
+        lifecycleScope.launch {
+            container.settings.update { it.copy(navigating = false) }
+            ServiceCompat.stopForeground(this@NavigationService, ServiceCompat.STOP_FOREGROUND_REMOVE)
+            stopSelf()
+        }
+    }
+
+    override fun onDestroy() {
+        wakeLock.release()
+        super.onDestroy()
+    }
+
+    companion object {
+        const val ACTION_START = "org.echoway.app.START"
+        const val ACTION_STOP = "org.echoway.app.STOP"
+        const val ACTION_WHERE_AM_I = "org.echoway.app.WHERE_AM_I"
+
+        fun intent(context: Context, action: String): Intent = Intent(context, NavigationService::class.java).setAction(action)
+
+        fun start(context: Context) = ContextCompat.startForegroundService(context, intent(context, ACTION_START))
+
+        fun send(context: Context, action: String) {
+            context.startService(intent(context, action))
+        }
+    }
+}

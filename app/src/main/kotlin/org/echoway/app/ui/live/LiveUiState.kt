@@ -1,0 +1,39 @@
+package org.echoway.app.ui.live
+
+import org.echoway.core.Estimate
+import org.echoway.core.Plan
+
+/** What the live screen shows. */
+sealed interface LiveUiState {
+    /** Settings are being read. */
+    data object Loading : LiveUiState
+
+    /** No building was chosen yet. */
+    data object NeedsSetup : LiveUiState
+
+    /** Guidance is off; the map of the chosen building can be looked at. */
+    data class Off(val building: String, val plan: Plan) : LiveUiState
+
+    /** Guidance could not begin. */
+    data class Failed(val reason: String) : LiveUiState
+
+    /**
+     * Guidance is on.
+     *
+     * @property words the state in words
+     * @property lastLine what was said last
+     * @property wearer where the wearer is drawn; null while no room is known
+     * @property voiceMissing the phone cannot speak
+     * @property permissionMissing the belt waits for leave to be used
+     */
+    data class On(
+        val building: String,
+        val plan: Plan,
+        val words: String,
+        val lastLine: String,
+        val wearer: Estimate?,
+        val level: Int,
+        val voiceMissing: Boolean,
+        val permissionMissing: Boolean,
+    ) : LiveUiState
+}

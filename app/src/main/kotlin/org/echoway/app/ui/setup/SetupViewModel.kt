@@ -1,0 +1,92 @@
+package org.echoway.app.ui.setup
+
+import androidx.lifecycle.ViewModel
+import androidx.lifecycle.viewModelScope
+import java.io.File
+import java.io.IOException
+import java.io.InputStream
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.flow.MutableStateFlow
+import kotlinx.coroutines.flow.SharingStarted
+import kotlinx.coroutines.flow.StateFlow
+import kotlinx.coroutines.flow.combine
+import kotlinx.coroutines.flow.flow
+import kotlinx.coroutines.flow.stateIn
+import kotlinx.coroutines.launch
+import kotlinx.coroutines.withContext
+import org.echoway.app.AppContainer
+import org.echoway.app.belt.WalkLog
+import org.echoway.app.building.InstalledBuilding
+import org.echoway.app.settings.Settings
+import org.echoway.app.settings.SourceKind
+
+/** Choosing building, entrance and belt source. */
+class SetupViewModel(private val container: AppContainer, private val unknownEntrance: String) : ViewModel() {
+    private val problem = MutableStateFlow<String?>(null)
+
+    val uiState: StateFlow<SetupUiState> =
+        combine(flow { emit(container.buildings.all()) }, container.settings.settings, problem, ::show)
+            .stateIn(viewModelScope, SharingStarted.WhileSubscribed(STOP_AFTER_MS), SetupUiState.Loading)
+
+    fun chooseBuilding(id: String) = update { if (it.building == id) it else it.copy(building = id, entrance = null) }
+
+    fun chooseEntrance(name: String?) = update { it.copy(entrance = name) }
+
+    fun chooseSource(kind: SourceKind) = update { it.copy(source = kind) }
+
+    /** Keeps a copy of a scan log that the wearer picked, and chooses it; a log that cannot be played is refused. */
+    fun useRecording(name: String, open: () -> InputStream) {
+        viewModelScope.launch {
+            val file = File(container.recordings, File(name).name)
+            problem.value = try {
+                withContext(Dispatchers.IO) { keep(file, open) }
+                container.settings.update { it.copy(source = SourceKind.RECORDING, recording = file.name) }
+                null
+            } catch (e: IOException) {
+                e.message.orEmpty()
+            }
+        }
+    }
+
+    private fun keep(file: File, open: () -> InputStream) {
+        val partial = File(container.cacheDir, "picked")
+        open().use { from -> partial.outputStream().use { from.copyTo(it) } }
+        WalkLog.read(partial.bufferedReader())
+        container.recordings.mkdirs()
+        partial.copyTo(file, overwrite = true)
+        partial.delete()
+    }
+
+    private fun update(change: (Settings) -> Settings) {
+        viewModelScope.launch { container.settings.update(change) }
+    }
+
+    private fun show(buildings: List<InstalledBuilding>, settings: Settings, problem: String?): SetupUiState {
+        if (buildings.isEmpty()) return SetupUiState.NoBuildings
+        val chosen = buildings.firstOrNull { it.id == settings.building }
+        return SetupUiState.Ready(
+            buildings = buildings.map { Option(it.id, it.title, it === chosen) },
+            entrances = chosen?.let { entrances(it, settings) }.orEmpty(),
+            sources = SourceKind.entries.map { kind ->
+                SourceOption(kind, kind == settings.source, available(kind, settings, chosen))
+            },
+            recordingProblem = problem,
+        )
+    }
+
+    private fun entrances(building: InstalledBuilding, settings: Settings): List<Option> {
+        val named = building.plan.exits.map { it.name }.filter { it.isNotEmpty() }.distinct()
+        return listOf(Option(null, unknownEntrance, settings.entrance !in named)) +
+            named.map { Option(it, it, it == settings.entrance) }
+    }
+
+    private fun available(kind: SourceKind, settings: Settings, building: InstalledBuilding?) = when (kind) {
+        SourceKind.USB -> true
+        SourceKind.SIMULATED_WALK -> building != null && container.hasSimulatedWalk(building.id)
+        SourceKind.RECORDING -> settings.recording != null
+    }
+
+    private companion object {
+        const val STOP_AFTER_MS = 5_000L
+    }
+}

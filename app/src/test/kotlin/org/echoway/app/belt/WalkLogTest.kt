@@ -1,0 +1,32 @@
+package org.echoway.app.belt
+
+import java.io.IOException
+import org.echoway.core.MotionKind
+import org.junit.Assert.assertEquals
+import org.junit.Assert.assertNull
+import org.junit.Assert.assertThrows
+import org.junit.Assert.assertTrue
+import org.junit.Test
+
+class WalkLogTest {
+    private fun read(scans: String, motion: String? = null) = WalkLog.read(scans.reader().buffered(), motion?.reader()?.buffered())
+
+    @Test fun readsFiringsAndHints() {
+        val log = read("# sensors 3\ntime_s,sensor,range_m\n0.0,0,1.5\n0.06,2,\n", "time_s,kind,value\n0.03,step,1\n0.05,yaw_rate_dps,90\n")
+        assertEquals(3, log.sensors)
+        assertEquals(1.5, log.firings[0].rangeM!!, 0.0)
+        assertNull(log.firings[1].rangeM)
+        assertEquals(MotionKind.STEP, log.hints[0].kind)
+        assertEquals(Math.PI / 2, log.hints[1].value, 1e-12)
+    }
+
+    @Test fun saysWhichLineIsBroken() {
+        val error = assertThrows(IOException::class.java) { read("time_s,sensor,range_m\n0.0,0,1.5\n0.06,two,1.0\n") }
+        assertTrue(error.message, error.message!!.startsWith("line 3: 0.06,two,1.0"))
+    }
+
+    @Test fun refusesAnEmptyLogAndAnImpossibleSensor() {
+        assertThrows(IOException::class.java) { read("time_s,sensor,range_m\n") }
+        assertThrows(IOException::class.java) { read("# sensors 3\ntime_s,sensor,range_m\n0.0,3,1.0\n") }
+    }
+}

@@ -1,0 +1,158 @@
+package org.echoway.app.service
+
+import android.app.Notification
+import android.app.NotificationManager
+import androidx.test.core.app.ApplicationProvider
+import androidx.test.ext.junit.runners.AndroidJUnit4
+import java.util.concurrent.TimeUnit
+import org.echoway.app.belt.BeltEvent
+import org.echoway.app.belt.WireSentence
+import org.echoway.app.engine.Line
+import org.echoway.app.engine.NavigationState
+import org.echoway.app.touch.Touch
+import org.junit.After
+import org.junit.Assert.assertEquals
+import org.junit.Assert.assertFalse
+import org.junit.Assert.assertTrue
+import org.junit.Test
+import org.junit.runner.RunWith
+import org.robolectric.Robolectric
+import org.robolectric.Shadows.shadowOf
+import org.robolectric.android.controller.ServiceController
+import org.robolectric.annotation.Config
+import org.robolectric.shadows.ShadowLooper
+import org.robolectric.shadows.ShadowPowerManager
+
+@RunWith(AndroidJUnit4::class)
+@Config(application = TestApp::class)
+class NavigationServiceTest {
+    private val app = ApplicationProvider.getApplicationContext<TestApp>()
+    private val container get() = app.container
+    private val services = mutableListOf<ServiceController<NavigationService>>()
+
+    private fun command(action: String?): ServiceController<NavigationService> {
+        val intent = action?.let { NavigationService.intent(app, it) }
+        val controller = services.lastOrNull() ?: Robolectric.buildService(NavigationService::class.java).create().also { services += it }
+        controller.get().onStartCommand(intent, 0, 1)
+        settle()
+        return controller
+    }
+
+    /** Lets the service's coroutines and the file threads behind them come to rest. */
+    private fun settle(millis: Long = 300) {
+        repeat(SETTLING_STEPS) {
+            ShadowLooper.idleMainLooper(millis / SETTLING_STEPS, TimeUnit.MILLISECONDS)
+            Thread.sleep(2)
+        }
+    }
+
+    private fun awaitRunning(): NavigationState.Running {
+        repeat(500) {
+            (container.navigator.state.value as? NavigationState.Running)?.let { return it }
+            settle(20)
+        }
+        throw AssertionError("navigation does not run: ${container.navigator.state.value}")
+    }
+
+    private fun echoes(seconds: Double) {
+        var sequence = 0
+        repeat((seconds * 16).toInt()) {
+            container.belt.send(BeltEvent.Bytes(WireSentence.range(sequence, sequence % 15, 2.0), container.clock.nowS()))
+            sequence++
+            ShadowLooper.idleMainLooper(62, TimeUnit.MILLISECONDS)
+        }
+    }
+
+    private fun notification(): Notification =
+        shadowOf(app.getSystemService(NotificationManager::class.java)).getNotification(NavigationNotification.ID)
+
+    private fun text() = notification().extras.getCharSequence(Notification.EXTRA_TEXT).toString()
+
+    @After fun stop() = services.forEach { it.destroy() }
+
+    @Test fun startsInTheForegroundAndSaysThatItWaits() {
+        val service = command(NavigationService.ACTION_START)
+        awaitRunning()
+        settle()
+        assertEquals(NavigationNotification.ID, shadowOf(service.get()).lastForegroundNotificationId)
+        assertEquals("Waiting for the belt.", text())
+        assertEquals(listOf("Where am I?", "Stop"), notification().actions.map { it.title.toString() })
+        assertTrue(container.settings.settings.value.navigating)
+    }
+
+    @Test fun attachDetachAndReattachAreHeardAndFelt() {
+        command(NavigationService.ACTION_START)
+        awaitRunning()
+        container.belt.send(BeltEvent.Attached)
+        echoes(3.0)
+        assertTrue("${container.voice.words}", "Belt connected." in container.voice.words)
+        container.belt.send(BeltEvent.Detached)
+        settle(2_000)
+        assertEquals("Belt disconnected.", container.voice.words.last())
+        assertEquals(Touch.BELT_LOST, container.buzzer.felt.last())
+        assertEquals("Belt disconnected.", text())
+        settle(12_000)
+        container.belt.send(BeltEvent.Attached)
+        echoes(2.0)
+        assertEquals(2, container.voice.words.count { it == "Belt connected." })
+    }
+
+    @Test fun permissionThatIsMissingIsToldInWordsAndOnTheNotification() {
+        command(NavigationService.ACTION_START)
+        awaitRunning()
+        container.belt.send(BeltEvent.PermissionMissing)
+        settle(3_000)
+        assertEquals(Line.PERMISSION_MISSING, awaitRunning().line)
+        assertEquals("The belt waits for your permission.", text())
+        assertTrue("Belt found. Allow its use on screen." in container.voice.words)
+    }
+
+    @Test fun whereAmIIsAnsweredFromTheNotification() {
+        command(NavigationService.ACTION_START)
+        awaitRunning()
+        command(NavigationService.ACTION_WHERE_AM_I)
+        settle(2_000)
+        assertEquals("Belt disconnected.", container.voice.words.last())
+    }
+
+    @Test fun goesOnAfterTheSystemKilledIt() {
+        container.settings.settings.value = container.settings.settings.value.copy(navigating = true)
+        command(action = null)
+        awaitRunning()
+    }
+
+    @Test fun doesNotComeBackWhenGuidanceWasOff() {
+        val service = command(action = null)
+        settle(1_000)
+        assertTrue(shadowOf(service.get()).isStoppedBySelf)
+        assertEquals(NavigationState.Idle, container.navigator.state.value)
+    }
+
+    @Test fun stopEndsGuidanceForGood() {
+        val service = command(NavigationService.ACTION_START)
+        awaitRunning()
+        command(NavigationService.ACTION_STOP)
+        settle(1_000)
+        assertTrue(shadowOf(service.get()).isStoppedBySelf)
+        assertFalse(container.settings.settings.value.navigating)
+        assertEquals(NavigationState.Idle, container.navigator.state.value)
+    }
+
+    @Test fun keepsAwakeWhileTheBeltTalksAndLetsThePhoneSleepWhenItIsGone() {
+        command(NavigationService.ACTION_START)
+        awaitRunning()
+        assertFalse("waiting needs no wake lock", ShadowPowerManager.getLatestWakeLock().isHeld)
+        container.belt.send(BeltEvent.Attached)
+        echoes(2.0)
+        assertTrue(ShadowPowerManager.getLatestWakeLock().isHeld)
+        container.belt.send(BeltEvent.Detached)
+        settle(5_000)
+        assertTrue("a belt may come back at once", ShadowPowerManager.getLatestWakeLock().isHeld)
+        repeat(20) { settle(5_000) }
+        assertFalse(ShadowPowerManager.getLatestWakeLock().isHeld)
+    }
+
+    private companion object {
+        const val SETTLING_STEPS = 10
+    }
+}

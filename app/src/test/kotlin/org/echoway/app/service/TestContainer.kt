@@ -1,0 +1,45 @@
+package org.echoway.app.service
+
+import android.app.Application
+import android.content.Context
+import java.io.File
+import kotlinx.coroutines.Dispatchers
+import org.echoway.app.AppContainer
+import org.echoway.app.Clock
+import org.echoway.app.ContainerOwner
+import org.echoway.app.belt.BeltSource
+import org.echoway.app.building.BundledBuildings
+import org.echoway.app.engine.Navigator
+import org.echoway.app.guide.Guide
+import org.echoway.app.guide.Wording
+import org.echoway.app.motion.MotionSource
+import org.echoway.app.settings.Settings
+import org.echoway.app.settings.SourceKind
+import org.echoway.app.testing.MemorySettings
+import org.echoway.app.testing.RecordingBuzzer
+import org.echoway.app.testing.RecordingVoice
+import org.echoway.app.testing.ScriptedBelt
+import kotlinx.coroutines.flow.emptyFlow
+
+/** An app whose belt, voice and vibrator are the test's; the rest is real. Everything runs on the main thread. */
+class TestApp : Application(), ContainerOwner {
+    override val container by lazy { TestContainer(this) }
+}
+
+class TestContainer(context: Context) : AppContainer {
+    override val clock = Clock.SYSTEM
+    override val settings = MemorySettings(Settings(building = "torgersen-lab", source = SourceKind.SIMULATED_WALK))
+    override val buildings = BundledBuildings(context, 1)
+    override val navigator = Navigator(Dispatchers.Main, clock)
+    override val voice = RecordingVoice(clock)
+    override val buzzer = RecordingBuzzer()
+    override val guide = Guide(Wording(context.resources), voice, buzzer, clock)
+    override val motion = MotionSource { emptyFlow() }
+    override val recordings = File(context.filesDir, "recordings")
+    override val cacheDir: File = context.cacheDir
+    var belt = ScriptedBelt()
+
+    override fun hasSimulatedWalk(building: String) = true
+
+    override fun beltSource(settings: Settings): BeltSource = belt
+}

@@ -1,0 +1,101 @@
+package org.echoway.app.voice
+
+import android.content.Context
+import android.media.AudioManager
+import android.speech.tts.TextToSpeech
+import androidx.test.core.app.ApplicationProvider
+import androidx.test.ext.junit.runners.AndroidJUnit4
+import java.util.Locale
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.CoroutineStart
+import kotlinx.coroutines.Deferred
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.ExperimentalCoroutinesApi
+import kotlinx.coroutines.async
+import org.junit.After
+import org.junit.Assert.assertEquals
+import org.junit.Assert.assertFalse
+import org.junit.Assert.assertTrue
+import org.junit.Test
+import org.junit.runner.RunWith
+import org.robolectric.Shadows.shadowOf
+import org.robolectric.shadows.ShadowLooper
+import org.robolectric.shadows.ShadowTextToSpeech
+
+@RunWith(AndroidJUnit4::class)
+@OptIn(ExperimentalCoroutinesApi::class)
+class TtsVoiceTest {
+    private val context = ApplicationProvider.getApplicationContext<Context>()
+    private val audio = context.getSystemService(AudioManager::class.java)
+
+    private fun voice(language: Locale = Locale.US, known: List<Locale> = listOf(Locale.US, Locale.ENGLISH)): TtsVoice {
+        known.forEach(ShadowTextToSpeech::addLanguageAvailability)
+        return TtsVoice(context, PhoneAudioFocus(audio)) { language }.also {
+            engine().onInitListener.onInit(TextToSpeech.SUCCESS)
+        }
+    }
+
+    private fun engine() = shadowOf(ShadowTextToSpeech.getLastTextToSpeechInstance())
+
+    private fun saying(voice: Voice, text: String): Deferred<Outcome> =
+        CoroutineScope(Dispatchers.Main.immediate).async(start = CoroutineStart.UNDISPATCHED) { voice.speak(text) }
+
+    private fun done(line: Deferred<Outcome>): Outcome {
+        ShadowLooper.idleMainLooper()
+        assertTrue("the line came to an end", line.isCompleted)
+        return line.getCompleted()
+    }
+
+    @After fun tidy() = ShadowTextToSpeech.reset()
+
+    @Test fun speaksAsGuidanceThatOtherSoundsDuckFor() {
+        val line = saying(voice(), "Turn left.")
+        assertEquals("Turn left.", engine().lastSpokenText)
+        val request = shadowOf(audio).lastAudioFocusRequest.audioFocusRequest
+        assertEquals(AudioManager.AUDIOFOCUS_GAIN_TRANSIENT_MAY_DUCK, request.focusGain)
+        assertEquals(TtsVoice.NAVIGATION.usage, request.audioAttributes.usage)
+        assertEquals(Outcome.SPOKEN, done(line))
+        assertEquals("focus is given back", request, shadowOf(audio).lastAbandonedAudioFocusRequest)
+    }
+
+    @Test fun isSilentDuringACall() {
+        audio.mode = AudioManager.MODE_IN_CALL
+        assertEquals(Outcome.REFUSED, done(saying(voice(), "Turn left.")))
+        assertEquals(null, engine().lastSpokenText)
+        audio.mode = AudioManager.MODE_NORMAL
+    }
+
+    @Test fun isRefusedWhenAnotherAppKeepsTheAudio() {
+        shadowOf(audio).setNextFocusRequestResponse(AudioManager.AUDIOFOCUS_REQUEST_FAILED)
+        assertEquals(Outcome.REFUSED, done(saying(voice(), "Turn left.")))
+    }
+
+    @Test fun stopsWhenAnotherAppTakesTheAudio() {
+        val line = saying(voice(), "Turn left.")
+        shadowOf(audio).lastAudioFocusRequest.listener.onAudioFocusChange(AudioManager.AUDIOFOCUS_LOSS_TRANSIENT)
+        assertEquals(Outcome.CUT_OFF, done(line))
+        assertTrue(engine().isStopped)
+    }
+
+    @Test fun cancellingSilencesIt() {
+        val line = saying(voice(), "Door left, six feet.")
+        line.cancel()
+        assertTrue(engine().isStopped)
+    }
+
+    @Test fun speaksEnglishWhereTheEngineDoesNotKnowTheLanguage() {
+        assertEquals(VoiceStatus.OTHER_LANGUAGE, voice(Locale("cy")).status.value)
+    }
+
+    @Test fun withoutAnEngineAToneSoundsInstead() {
+        val speech = TtsVoice(context, PhoneAudioFocus(audio)) { Locale.US }
+        engine().onInitListener.onInit(TextToSpeech.ERROR)
+        assertEquals(VoiceStatus.NO_ENGINE, speech.status.value)
+        var tones = 0
+        val line = saying(VoiceWithTones(speech) { tones++ }, "Belt disconnected.")
+        ShadowLooper.idleMainLooper(1, java.util.concurrent.TimeUnit.SECONDS)
+        assertEquals(Outcome.SPOKEN, line.getCompleted())
+        assertEquals(1, tones)
+        assertFalse(line.isCancelled)
+    }
+}
