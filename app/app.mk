@@ -1,30 +1,33 @@
 # The Android app without an Android SDK; the root Makefile includes this. See docs/building-the-app.md.
 SDKLESS := tools/sdkless/run
-JNI_BUILD := build/jni
-CCACHE := $(shell command -v ccache)
+# The JNI library for this machine comes out of the core's own build.
+JNI_DIR := $(CURDIR)/$(BUILD)/release/jni
 
-.PHONY: core-jni fetch-app test-app screenshots apk check-gradle update-lock
-
-# The JNI library for this machine, which the app's tests load.
-core-jni:
-	cmake -S core-native -B $(JNI_BUILD) -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo \
-	    -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O3 -g1 -DNDEBUG" $(if $(CCACHE),-DCMAKE_CXX_COMPILER_LAUNCHER=ccache) \
-	    -DECHOWAY_JNI=ON -DECHOWAY_HOST=OFF >/dev/null
-	cmake --build $(JNI_BUILD)
+.PHONY: fetch-app test-app screenshots bundled-walk apk bench-app check-gradle update-lock
 
 # Downloads what the app's tests need, to have it over with.
 fetch-app:
 	$(SDKLESS) fetch
 
-test-app: core-jni
-	$(SDKLESS) test $(CURDIR)/$(JNI_BUILD)/jni
+test-app: core
+	$(SDKLESS) test $(JNI_DIR)
 
 # Draws the golden screenshots anew; look at every one before committing it.
-screenshots: core-jni
-	$(SDKLESS) screenshots $(CURDIR)/$(JNI_BUILD)/jni
+screenshots: core
+	$(SDKLESS) screenshots $(JNI_DIR)
+
+# The echoes of the walk that the app plays without a belt. The truth beside them is what the tests check the words against.
+bundled-walk: core
+	$(ECHOWAY) simulate --building maps/torgersen-lab --walk app/src/main/assets/walks/torgersen-lab.walk --out $(BUILD)/torgersen-lab
+	mv $(BUILD)/torgersen-lab.scans.csv $(BUILD)/torgersen-lab.motion.csv app/src/main/assets/walks/
+	mv $(BUILD)/torgersen-lab.truth.csv app/src/sharedTest/resources/walks/
 
 apk:
 	$(SDKLESS) apk
+
+# From the belt's bytes to an estimate in Kotlin.
+bench-app: core
+	$(SDKLESS) bench $(JNI_DIR)
 
 check-gradle:
 	$(SDKLESS) check-gradle

@@ -16,13 +16,14 @@ final class Compilation {
     final Path app;
     final Path tests;
 
-    Compilation(Workspace workspace) {
+    /** {@code variant}: the set of libraries whose resources the app is compiled with; their ids become constants in it. */
+    Compilation(Workspace workspace, String variant) {
         this.workspace = workspace;
         kotlin = new Kotlin(workspace);
         usbApi = workspace.build.resolve("classes/usb-serial-api");
         core = workspace.build.resolve("classes/core-native");
-        app = workspace.build.resolve("classes/app");
-        tests = workspace.build.resolve("classes/app-test");
+        app = workspace.build.resolve("classes/" + variant + "/app");
+        tests = workspace.build.resolve("classes/" + variant + "/app-test");
     }
 
     /** Main classes, against the libraries that the APK holds. */

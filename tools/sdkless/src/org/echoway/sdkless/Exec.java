@@ -40,9 +40,12 @@ final class Exec {
         }
     }
 
-    /** A main class in a JVM of its own, so that its memory and its exits are its own. */
+    /**
+     * A main class in a JVM of its own, so that its memory and its exits are its own. Runs are short: the second compiler
+     * would cost more than it gains.
+     */
     static List<String> java(String memory, List<Path> classPath, String mainClass, List<String> arguments) {
-        List<String> command = new ArrayList<>(List.of(JAVA, "-Xmx" + memory, "-Xshare:auto", "-cp", join(classPath), mainClass));
+        List<String> command = new ArrayList<>(List.of(JAVA, "-Xmx" + memory, "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-cp", join(classPath), mainClass));
         command.addAll(arguments);
         return command;
     }

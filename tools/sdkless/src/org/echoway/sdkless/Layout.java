@@ -12,16 +12,19 @@ final class Layout {
     static final String CORE_PACKAGE = "org.echoway.core";
 
     /** Gradle path of a module and the folders of its source sets, relative to the module. */
-    record Module(String path, String namespace, List<String> main, List<String> test, List<String> resources, List<String> assets) {
+    record Module(String path, String namespace, List<String> main, List<String> test, List<String> testResources,
+                  List<String> resources, List<String> assets) {
         String folder() {
             return path.substring(1);
         }
     }
 
-    static final Module CORE = new Module(":core-native", CORE_PACKAGE, List.of("android/kotlin"), List.of(), List.of(), List.of());
+    static final Module CORE = new Module(":core-native", CORE_PACKAGE, List.of("android/kotlin"), List.of(), List.of(),
+            List.of(), List.of());
 
     static final Module APP = new Module(":app", PACKAGE, List.of("src/main/kotlin"),
-            List.of("src/test/kotlin", "src/sharedTest/kotlin"), List.of("src/main/res"), List.of("src/main/assets", "../maps"));
+            List.of("src/test/kotlin", "src/sharedTest/kotlin"), List.of("src/test/resources", "src/sharedTest/resources"),
+            List.of("src/main/res"), List.of("src/main/assets", "../maps"));
 
     static final List<Module> MODULES = List.of(CORE, APP);
 

@@ -11,6 +11,7 @@ final class Main {
                    sdkless test NATIVE_DIR [CLASS...]     run the app's tests (all without CLASS)
                    sdkless screenshots NATIVE_DIR         record the golden screenshots anew
                    sdkless apk [NATIVE_DIR]               package, sign and verify the debug APK
+                   sdkless bench NATIVE_DIR               time the way from bytes to an estimate
                    sdkless check-gradle                   check the Gradle scripts against Gradle's own API
                    sdkless update-lock                    resolve the catalog into the lock
             """;
@@ -44,6 +45,7 @@ final class Main {
             case "screenshots" -> new Tests(workspace).run(Path.of(rest.get(0)), List.of("-Droborazzi.test.record=true"),
                     List.of("org.echoway.app.ScreenshotTest"));
             case "apk" -> new Apk(workspace).build(rest.isEmpty() ? null : Path.of(rest.get(0)));
+            case "bench" -> new Bench(workspace).run(Path.of(rest.get(0)));
             case "check-gradle" -> new GradleCheck(workspace).run();
             default -> throw new BuildFailure("no such command: " + command + "\n" + USAGE);
         }

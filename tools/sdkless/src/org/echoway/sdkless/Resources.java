@@ -48,10 +48,11 @@ final class Resources {
         Path module = workspace.root.resolve(Layout.APP.folder());
         Path source = module.resolve("src/main/AndroidManifest.xml");
         List<Path> resourceFolders = Layout.APP.resources().stream().map(module::resolve).toList();
-        Stamp stamp = new Stamp().words("resources 1").file(source).files(resourceFolders).paths(aars);
+        Path assets = new Assets(workspace).merge();
+        Stamp stamp = new Stamp().words("resources 2").file(source).files(resourceFolders).file(assets).paths(aars);
         stamp.guard("resources " + folder.getFileName(), rClasses(), () -> {
             mergeManifest(source);
-            link(compileAll(resourceFolders));
+            link(compileAll(resourceFolders), assets);
             new RClasses(folder.resolve("R.txt"), aars).write(rClasses());
         });
     }
@@ -95,9 +96,9 @@ final class Resources {
         Files.delete(partial.getParent());
     }
 
-    private void link(List<Path> compiled) throws IOException {
+    private void link(List<Path> compiled, Path assets) throws IOException {
         List<String> command = new ArrayList<>(List.of(aapt2(workspace).toString(), "link", "-o", linked().toString(),
-                "-I", tool(workspace, "prebuilt/android-framework.jar").toString(), "--manifest", manifest().toString(),
+                "-I", tool(workspace, "prebuilt/android-framework.jar").toString(), "--manifest", manifest().toString(), "-A", assets.toString(),
                 "--min-sdk-version", "" + MIN_SDK, "--target-sdk-version", "" + TARGET_SDK,
                 "--version-code", "1", "--version-name", VERSION_NAME, "--auto-add-overlay", "--no-version-vectors", "--debug-mode",
                 "--output-text-symbols", folder.resolve("R.txt").toString(), "--proguard", keepRules().toString()));

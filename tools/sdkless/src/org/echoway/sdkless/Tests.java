@@ -22,13 +22,15 @@ final class Tests {
         Libraries libraries = Libraries.of(workspace, "app", "test");
         Resources resources = new Resources(workspace, "test", libraries.aars());
         resources.build();
-        Compilation compilation = new Compilation(workspace);
+        Compilation compilation = new Compilation(workspace, "test");
         compilation.main(resources);
         compilation.tests(resources);
         Path config = writeConfig(resources);
 
         List<Path> classPath = new ArrayList<>(List.of(compilation.tests, compilation.app, compilation.core, compilation.usbApi, config,
-                workspace.root.resolve("app/src/test/resources"), resources.rClasses()));
+                resources.rClasses()));
+        Path module = workspace.root.resolve(Layout.APP.folder());
+        Layout.APP.testResources().forEach(folder -> classPath.add(module.resolve(folder)));
         classPath.addAll(libraries.jars());
         classPath.addAll(workspace.section("build")); // JUnit's launcher is there
         classPath.add(Platform.stub(workspace));
@@ -59,7 +61,7 @@ final class Tests {
         Files.createDirectories(file.getParent());
         Files.writeString(file, "android_merged_manifest=" + resources.manifest()
                 + "\nandroid_resource_apk=" + resources.linked()
-                + "\nandroid_merged_assets=" + new Assets(workspace).merge()
+                + "\nandroid_merged_assets=" + workspace.build.resolve("assets")
                 + "\nandroid_custom_package=" + Layout.PACKAGE + "\n");
         return folder;
     }

@@ -33,6 +33,7 @@ final class UpdateLock {
     private final Catalog catalog;
     private final Map<String, String> pins = new TreeMap<>();
     private final List<String> excluded = new ArrayList<>();
+    private final List<Catalog.Library> variants = new ArrayList<>();
     private final Map<Lock.Entry, Path> downloaded = new LinkedHashMap<>();
 
     UpdateLock(Path root) throws IOException {
@@ -41,8 +42,10 @@ final class UpdateLock {
         for (String line : Files.readAllLines(root.resolve("gradle/sdkless-pins.txt"))) {
             String text = line.strip();
             if (text.isEmpty() || text.startsWith("#")) continue;
+            String version = text.substring(text.lastIndexOf(':') + 1);
             if (text.startsWith("!")) excluded.add(text.substring(1));
-            else pins.put(text.substring(0, text.lastIndexOf(':')), text.substring(text.lastIndexOf(':') + 1));
+            else if (text.startsWith("+")) variants.add(new Catalog.Library(text, text.substring(1, text.lastIndexOf(':')), version));
+            else pins.put(text.substring(0, text.lastIndexOf(':')), version);
         }
     }
 
@@ -55,6 +58,7 @@ final class UpdateLock {
         List<Catalog.Library> app = catalog.usedByApp(root);
         List<Catalog.Library> all = new ArrayList<>(app);
         all.addAll(catalog.usedByTests(root));
+        all.addAll(variants);
         List<Lock.Entry> whole = phone(resolve(all, pins, true));
         Map<String, String> versions = new TreeMap<>(pins);
         whole.forEach(entry -> versions.put(entry.module(), entry.version()));
@@ -71,7 +75,7 @@ final class UpdateLock {
         for (String each : excluded) parameters = parameters.addExclusion(each.split(":")[0], each.split(":")[1]);
         Fetch fetch = Fetch.create().withCache(Cache.create()).withArtifactTypes(Store.TYPES).withResolutionParams(parameters);
         for (Catalog.Library library : roots) {
-            fetch.addDependencies(Dependency.of(module(androidVariant(library)), library.version()).withTransitive(transitive));
+            fetch.addDependencies(Dependency.of(module(variant(library)), library.version()).withTransitive(transitive));
         }
         FetchResult result;
         try {
@@ -90,10 +94,12 @@ final class UpdateLock {
         return List.copyOf(entries);
     }
 
-    /** Compose's root modules redirect to their Android variant in metadata that POMs do not carry. */
-    private static String androidVariant(Catalog.Library library) {
-        boolean redirects = library.module().startsWith("androidx.compose.") && !library.module().endsWith("-test-manifest");
-        return redirects ? library.module() + "-android" : library.module();
+    /** Root modules of multi-platform libraries redirect to a variant in metadata that POMs do not carry. */
+    private static String variant(Catalog.Library library) {
+        String module = library.module();
+        if (module.equals("app.cash.turbine:turbine")) return module + "-jvm";
+        boolean redirects = module.startsWith("androidx.compose.") && !module.endsWith("-test-manifest");
+        return redirects ? module + "-android" : module;
     }
 
     private static Module module(String name) {
@@ -117,10 +123,14 @@ final class UpdateLock {
         List<Lock.Entry> kept = new ArrayList<>();
         Map<String, Lock.Entry> owners = new TreeMap<>();
         Set<String> twice = new LinkedHashSet<>();
+        Set<String> hollow = new LinkedHashSet<>();
         for (Lock.Entry entry : entries) {
             if (entry.extension().equals("jar") && aars.contains(entry.module())) continue;
             List<String> contents = contents(downloaded.get(entry));
-            if (contents.isEmpty()) continue;
+            if (contents.isEmpty()) {
+                if (isRedirect(downloaded.get(entry)) && !hasVariant(entry, entries)) hollow.add(entry.toString());
+                continue;
+            }
             kept.add(entry);
             for (String name : contents) {
                 boolean unique = name.endsWith(".class") && !name.equals("module-info.class");
@@ -129,8 +139,25 @@ final class UpdateLock {
             }
         }
         if (!twice.isEmpty()) throw new BuildFailure("the same classes are in (pin or exclude one of each):\n" + String.join("\n", twice));
+        if (!hollow.isEmpty()) throw new BuildFailure("only metadata, and no variant with classes (name one with +):\n" + String.join("\n", hollow));
         kept.sort(Comparator.comparing(Lock.Entry::toString));
         return kept;
+    }
+
+    /** The root of a multi-platform library holds nothing but descriptions of its variants. */
+    private static boolean isRedirect(Path file) throws IOException {
+        try (ZipFile zip = new ZipFile(file.toFile())) {
+            return zip.stream().anyMatch(entry -> isMetadata(entry.getName()));
+        }
+    }
+
+    private static boolean isMetadata(String name) {
+        return name.matches("\\w+Main/.*");
+    }
+
+    private static boolean hasVariant(Lock.Entry root, List<Lock.Entry> entries) {
+        return List.of("-android", "-jvm").stream()
+                .anyMatch(suffix -> entries.stream().anyMatch(entry -> entry.module().equals(root.module() + suffix)));
     }
 
     private static List<String> contents(Path file) throws IOException {
@@ -141,7 +168,7 @@ final class UpdateLock {
                 if (entry.isDirectory() || name.startsWith("META-INF/")) continue;
                 if (name.equals("classes.jar")) {
                     names.addAll(classes(zip, entry));
-                } else if (!name.endsWith(".kotlin_metadata") && !isAarFrame(name)) {
+                } else if (!isMetadata(name) && !isAarFrame(name)) {
                     names.add(name);
                 }
             }
