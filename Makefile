@@ -52,7 +52,7 @@ test-core: core ## The C++ tests
 	@ctest --test-dir $(BUILD)/release -j$(JOBS) --output-on-failure --progress --output-junit $(abspath $(RESULTS))/core.xml
 
 .PHONY: test
-test: test-core ## Every test
+test: test-core test-app ## Every test
 	@$(PYTHON) scripts/count_tests.py $(RESULTS)
 
 .PHONY: validate-simulator
@@ -64,3 +64,4 @@ clean: ## Remove everything that was built
 	rm -rf $(BUILD)
 
 include core-native/verify.mk
+include app/app.mk

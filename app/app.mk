@@ -9,11 +9,11 @@ JNI_DIR := $(CURDIR)/$(BUILD)/release/jni
 fetch-app:
 	$(SDKLESS) fetch
 
-test-app: core
+test-app: core ## The app on Robolectric, with the core through JNI
 	$(SDKLESS) test $(JNI_DIR)
 
 # Draws the golden screenshots anew; look at every one before committing it.
-screenshots: core
+screenshots: core ## Draw the golden screenshots anew
 	$(SDKLESS) screenshots $(JNI_DIR)
 
 # The echoes of the walk that the app plays without a belt. The truth beside them is what the tests check the words against.
@@ -22,14 +22,14 @@ bundled-walk: core
 	mv $(BUILD)/torgersen-lab.scans.csv $(BUILD)/torgersen-lab.motion.csv app/src/main/assets/walks/
 	mv $(BUILD)/torgersen-lab.truth.csv app/src/sharedTest/resources/walks/
 
-apk:
+apk: ## The debug APK: packaged, signed, verified
 	$(SDKLESS) apk
 
 # From the belt's bytes to an estimate in Kotlin.
-bench-app: core
+bench-app: core ## Time the way from bytes to an estimate in Kotlin
 	$(SDKLESS) bench $(JNI_DIR)
 
-check-gradle:
+check-gradle: ## Type-check the Gradle scripts where no Gradle is
 	$(SDKLESS) check-gradle
 
 # After a change to gradle/libs.versions.toml, gradle/sdkless-pins.txt or a script's dependencies.
