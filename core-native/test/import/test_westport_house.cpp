@@ -1,6 +1,9 @@
-#include <map>
+#include <algorithm>
 #include <set>
 
+#include "echoway/routing/router.hpp"
+#include "echoway/sim/simulate.hpp"
+#include "echoway/sim/walk_file.hpp"
 #include "import/imported.hpp"
 
 // maps/westport-house: a real building of seven levels, as it is committed.
@@ -75,6 +78,39 @@ TEST(WestportHouse, KnowsTheNamesOfThePlanAndItsPaths) {
   std::set<std::string> exits;
   for (const Landmark& exit : westport().exits) exits.insert(exit.name);
   EXPECT_THAT(exits, Contains("Bash st entrance"));
+}
+
+// Up two flights of stairs: a simulated wearer gets through the doors and the stairs of the imported plan.
+TEST(WestportHouse, AWalkLeadsOverThreeLevels) {
+  const Result<sim::Walk> walk = sim::read_walk(kWestport / "walks" / "three-levels.walk");
+  ASSERT_TRUE(walk) << walk.error().to_string();
+  const Result<sim::Simulation> simulation = sim::simulate(westport(), *walk);
+  ASSERT_TRUE(simulation) << simulation.error().to_string();
+  std::vector<int> levels;
+  for (const TruthRow& row : simulation->truth) {
+    const int level = westport().room(westport().find_room(row.room)).level;
+    if (levels.empty() || levels.back() != level) levels.push_back(level);
+  }
+  EXPECT_EQ(levels, (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(simulation->truth.back().room, "2-wrld-office");
+}
+
+// From the street door to the kitchen on the second floor and out again.
+TEST(WestportHouse, RoutesLeadUpstairsAndOut) {
+  const Router router(westport());
+  const RoomIndex vestibule = westport().find_room("g-vestibule");
+  const Result<Goal> kitchen = router.find_goal("Kitchen");
+  ASSERT_TRUE(kitchen) << kitchen.error().to_string();
+  const Result<Route> up = router.find_route({vestibule, {4.2, 4.2}}, *kitchen);
+  ASSERT_TRUE(up) << up.error().to_string();
+  const auto links = [](const Route& route) {
+    return std::count_if(route.waypoints.begin(), route.waypoints.end(),
+                         [](const Waypoint& w) { return w.kind == WaypointKind::link_from; });
+  };
+  EXPECT_GE(links(*up), 1);
+  const Landmark& place = westport().places[static_cast<std::size_t>(kitchen->index)];
+  const Result<Route> out = router.find_route({place.room, place.at}, Goal{Goal::Kind::nearest_exit, -1, {}});
+  EXPECT_TRUE(out) << out.error().to_string();
 }
 
 }  // namespace
