@@ -65,3 +65,4 @@ clean: ## Remove everything that was built
 
 include core-native/verify.mk
 include app/app.mk
+include core-native/guidance.mk

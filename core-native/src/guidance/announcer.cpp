@@ -73,14 +73,19 @@ int side_of(const Steering& s) noexcept {
   return s.direction > 0.0 ? 1 : -1;
 }
 
+/// Lengths that may be rounded to the same words: less than the grain of speech apart.
+bool same_length(double a, double b) noexcept {
+  if (a < 0.0 || b < 0.0) return a < 0.0 && b < 0.0;
+  return std::abs(a - b) < (std::max(a, b) < feet(10.0) ? feet(1.0) : feet(5.0));
+}
+
 bool same_words(const Cue& a, const Cue& b) noexcept {
-  const auto foot = [](double m) { return m < 0.0 ? -1L : std::lround(m / kMetresPerFoot); };
-  const auto dir = [](const Cue& c) { return c.kind == CueKind::bear ? (c.direction > 0 ? Sector::left : Sector::right)
-                                                                     : sector_of(c.direction); };
-  return a.kind == b.kind && dir(a) == dir(b) && foot(a.distance_m) == foot(b.distance_m) && a.room == b.room &&
-         a.landmark == b.landmark && a.tail.present == b.tail.present &&
-         (!a.tail.present || (a.tail.kind == b.tail.kind && sector_of(a.tail.direction) == sector_of(b.tail.direction) &&
-                              foot(a.tail.distance_m) == foot(b.tail.distance_m)));
+  if (a.kind != b.kind || a.room != b.room || a.landmark != b.landmark || a.tail.present != b.tail.present) return false;
+  const bool same_side = a.kind == CueKind::bear ? (a.direction > 0.0) == (b.direction > 0.0)
+                                                 : sector_of(a.direction) == sector_of(b.direction);
+  if (!same_side || !same_length(a.distance_m, b.distance_m)) return false;
+  return !a.tail.present || (a.tail.kind == b.tail.kind && sector_of(a.tail.direction) == sector_of(b.tail.direction) &&
+                             same_length(a.tail.distance_m, b.tail.distance_m));
 }
 
 }  // namespace

@@ -14,6 +14,11 @@ constexpr double kWalking = 0.25;
 constexpr double kLookAhead = 4.0;
 /// and what is nearer than this is at hand already.
 constexpr double kAtHand = 0.8;
+/// Nearer to a door's wall than this, a doorway can be entered only from at most so far off its axis, metres.
+constexpr double kNearWall = 0.7;
+constexpr double kAside = 0.2;
+/// Too near to be headed for, metres.
+constexpr double kTooNear = 0.35;
 /// A wearer who is to go straight is put right first if they face this far off.
 constexpr double kFacingWell = degrees(9.0);
 /// Beside the middle of a doorway by this much still goes through, metres.
@@ -82,7 +87,7 @@ bool Follower::find_way(const Estimate& e) {
   return true;
 }
 
-Follower::View Follower::look(const Estimate& e, bool vague) const {
+Follower::View Follower::look(const Estimate& e, bool vague) {
   View view;
   view.estimate = &e;
   view.now = e.time_s;
@@ -109,14 +114,18 @@ bool Follower::in_reach(const Estimate& e, Vec2 at) const {
     // Not too slantwise: the far jamb must not come near.
     constexpr double kSlant = 0.7;  // cosine of 45 degrees
     if (behind > 0.0 || before - behind < kSlant * distance(at, e.pose.position)) return false;
+    // Beside the opening and close to its wall: back to where it can be entered squarely.
+    const double aside = std::abs(dot(e.pose.position - p.centre, perpendicular(p.inward)));
+    if (before < kNearWall && aside > (through_ ? kAside + 0.1 : kAside)) return false;
     const Vec2 crossing = e.pose.position + (std::max(before, 0.0) / (before - behind)) * (at - e.pose.position);
     const double half = 0.5 * router_->building().doors[static_cast<std::size_t>(p.door)].width;
-    return distance(crossing, p.centre) <= std::max(half - config_->body_m, 0.5 * kDoorMiss);
+    const double play = std::max(half - config_->body_m, 0.5 * kDoorMiss);
+    return distance(crossing, p.centre) <= (through_ ? play : 0.6 * play);
   }
   return false;
 }
 
-void Follower::aim(View& view) const {
+void Follower::aim(View& view) {
   const Estimate& e = *view.estimate;
   const double lead = view.speed * (spoken_seconds(make_cue(CueKind::turn), *config_) + config_->reaction_s);
   // Head for the next turn or the spot before the next door; when that is at hand, for a spot beyond it.
@@ -134,13 +143,22 @@ void Follower::aim(View& view) const {
   double limit = std::max(length_of(line_), kAtHand);
   if (view.turn.present) limit = std::min(limit, view.turn.distance > kAtHand ? view.turn.distance : view.turn.distance + 1.0);
   if (door_along < 1e8) limit = std::min(limit, to_door > kAtHand ? to_door : door_along + 1.0);
-  view.target = point_along(line_, std::min(limit, 0.4));
-  for (const double share : {1.0, 0.75, 0.5, 0.3}) {
+  // Not from one to the other and back: going through a doorway slantwise is taken up late and given up late.
+  const bool beyond = view.turn.present ? limit > view.turn.distance : limit > door_along;
+  view.target = point_along(line_, std::min(0.5 * limit, kAtHand));
+  bool through = false;
+  for (const double share : {1.0, 0.75, 0.5}) {
     const Vec2 at = point_along(line_, std::min(share * limit, kLookAhead));
     if (!in_reach(e, at)) continue;
     view.target = at;
+    through = beyond && share == 1.0;
     break;
   }
+  if (beyond && !through) {
+    const double back = view.turn.present ? std::min(view.turn.distance, door_along) : to_door;
+    if (back > kTooNear) view.target = point_along(line_, back);
+  }
+  through_ = through;
   view.target_away = distance(e.pose.position, view.target);
   const bool doorway = to_door < kLookAhead;
   const double clear = router_->space(e.room).clearance(view.target, 1.0);
@@ -333,7 +351,11 @@ bool Follower::steer(const View& view, Announcer& voice) {
   cue.direction = view.off;
   cue.has_direction = true;
   const double needed = view.speed * (spoken_seconds(cue, *config_) + config_->reaction_s);
-  if (view.target_away < needed || !voice.offer(cue, view.now)) return false;
+  // Left alone when a turn to the other side is due so soon that it would have to wait for this to be forgotten.
+  const double turn_off = wrap_angle(view.turn.heading - view.estimate->pose.heading);
+  const bool countered = view.turn.present && turn_off * view.off < 0.0 &&
+                         view.turn.distance < view.speed * config_->contradiction_gap_s + needed;
+  if (countered || view.target_away < needed || !voice.offer(cue, view.now)) return false;
   hold_after(cue, view.now);
   return true;
 }

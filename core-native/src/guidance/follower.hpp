@@ -53,9 +53,9 @@ class Follower {
   };
 
   [[nodiscard]] bool find_way(const Estimate& estimate);
-  [[nodiscard]] View look(const Estimate& estimate, bool vague) const;
+  [[nodiscard]] View look(const Estimate& estimate, bool vague);
   [[nodiscard]] bool in_reach(const Estimate& estimate, Vec2 at) const;
-  void aim(View& view) const;
+  void aim(View& view);
   void note_progress(const View& view);
   [[nodiscard]] bool on_stairs(const Estimate& estimate) noexcept;
   [[nodiscard]] bool arrive(const View& view, Announcer& voice);
@@ -80,6 +80,7 @@ class Follower {
   std::vector<std::int32_t> doors_;      ///< Of the way that was told, in order.
   std::vector<std::int32_t> new_doors_;
   bool new_way_ = false;                 ///< It leads through other doors than the wearer was told.
+  bool through_ = false;                 ///< The wearer heads through a doorway, not for the spot before it.
   bool straight_due_ = true;             ///< "Go straight" has not been said on this leg.
   double least_cost_ = 1e300;            ///< Nearest to the goal so far.
   double next_look_ = -1e300;

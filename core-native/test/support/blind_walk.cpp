@@ -117,7 +117,7 @@ class Wearer {
   }
 
   [[nodiscard]] bool done() const { return done_; }
-  [[nodiscard]] double speed() const { return walking_ && turn_left_ == 0.0 && now_ >= stairs_until_ ? speed_ : 0.0; }
+  [[nodiscard]] double speed() const { return walking_ && turn_left_ == 0.0 && now_ >= pause_until_ && now_ >= stairs_until_ ? speed_ : 0.0; }
   /// Standing about without a word for long: a wearer asks for the last line again.
   [[nodiscard]] bool asks() {
     const bool busy = walking_ || turn_left_ != 0.0 || slow_turn_ > 0.0 || !todo_.empty() || away();
@@ -164,7 +164,7 @@ class Wearer {
       slow_turn_ -= degrees(30.0) * kTick;
       return;
     }
-    if (walking_) walk();
+    if (walking_ && now >= pause_until_) walk();
   }
 
  private:
@@ -223,8 +223,10 @@ class Wearer {
         budget_ = (act.distance < 0.0 ? 3.0 : told_length(act.distance)) * stride_ + 0.15;
         return;
       case CueKind::stop:
-      case CueKind::obstacle:
         walking_ = false;
+        return;
+      case CueKind::obstacle:  // feels for it, then goes on
+        pause_until_ = now_ + 3.0;
         return;
       case CueKind::uncertain:
         walking_ = false;
@@ -289,6 +291,7 @@ class Wearer {
   double budget_ = 0.0;
   double now_ = 0.0;
   double last_heard_ = 0.0;
+  double pause_until_ = -1.0;
   double stairs_until_ = -1.0;
   bool pending_landing_ = false;
   Spot landing_;

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "belt/belt.hpp"
+#include "echoway/sim/world.hpp"
+#include "echoway/tracker/bayes_locator.hpp"
+#include "plan/floor_plan.hpp"
+#include "support/blind_walk.hpp"
+
+namespace echoway::proof {
+
+/// The whole chain: the simulated world's echoes and the phone's motion hints, the tracker, the guide. The world and the
+/// tracker's model share no code.
+class TrackedPose : public test::PoseSource {
+ public:
+  /// `route`: what is kept free of furniture. `start`: what the tracker is told.
+  TrackedPose(const Router& router, const sim::World& world, const Route& route, const Start& start, std::uint64_t seed);
+
+  void observe(double time_s, RoomIndex room, const Pose2& pose, double speed, Guide& guide) override;
+  void on_level_transition(const LevelTransition& transition) override { locator_.on_level_transition(transition); }
+
+  /// Distance between estimate and truth, metres, of every observation while the room was right.
+  [[nodiscard]] const std::vector<double>& errors() const noexcept { return errors_; }
+  /// Share of the observations in which the room was right.
+  [[nodiscard]] double room_right() const noexcept;
+
+ private:
+  void sense_motion(const sim::Moment& moment);
+
+  const Building& building_;
+  sim::World world_;
+  BeltConfig config_;
+  sim::FloorPlan plan_;
+  sim::Belt belt_;
+  BayesLocator locator_;
+  Random random_;
+  std::int64_t index_ = 0;
+  double last_time_ = 0.0;
+  double last_heading_ = 0.0;
+  double walked_ = 0.0;
+  double yaw_ = 0.0;
+  std::vector<double> errors_;
+  std::size_t observations_ = 0;
+};
+
+}  // namespace echoway::proof

@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# Runs the proof of guidance; one row a walk goes to OUT_DIR/guidance-proof.csv: guidance_proof.sh BINARY OUT_DIR
+set -eu
+binary=$1 out=$2
+rows=$out/guidance-proof.csv traces=$out/guidance-traces.csv
+mkdir -p "$out"
+echo "map,source,walk,arrived,time_s,walked_m,shortest_m,touches,wrong,instructions,cues,end_error_m,track_error_m,room_right" > "$rows"
+echo "map,source,walk,kind,x_m,y_m,level,text" > "$traces"
+maps=(maps/*/)
+maps=("${maps[@]%/}")
+"$binary" "$rows" "$traces" 200 noise "${maps[@]}" office grid levels
+"$binary" "$rows" "$traces" 100 empty "${maps[@]}" office
+"$binary" "$rows" "$traces" 100 furnished "${maps[@]}" office
+"$binary" "$rows" "$traces" 40 search maps/torgersen-lab
