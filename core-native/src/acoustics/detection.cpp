@@ -11,6 +11,7 @@ constexpr double kNever = 2.0;
 constexpr double kSmallestHalfBeam = degrees(0.05);
 constexpr double kFirstNull = 3.8317059702075123;  // of 2 J1(x)/x
 constexpr int kSamplesPerCycle = 16;
+constexpr double kFarthest = 50.0;  // metres; keeps the table's cells small whatever a belt claims
 
 // Peak of the echo's envelope over that of the same echo met head-on; depends on the inclination alone.
 double relative_peak(const Transducer& transducer, double inclination) {
@@ -83,7 +84,7 @@ DetectionTable::DetectionTable(const BeltConfig& belt, const DetectionParameters
   transducer_.radius_m = aperture_for(transducer_, widest_, receiver_.threshold / near_plane);
 
   const MainLobe lobe(transducer_, widest_);
-  const double reach = positive_or(belt.max_range_m, usual.max_range_m);
+  const double reach = std::min(positive_or(belt.max_range_m, usual.max_range_m), kFarthest);
   cells_per_metre_ = kCells / reach;
   const auto tabulate = [&](ElementKind kind) {
     std::vector<double> table;

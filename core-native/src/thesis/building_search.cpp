@@ -64,7 +64,10 @@ void BuildingSearch::begin(const Scan& scan, std::span<const PoseMatcher> rooms,
     rooms[i].search(scan, bounds, grid, room, modes_, workspace);
   }
   for (Mode& mode : modes_) {
-    rooms[static_cast<std::size_t>(mode.room)].refine(scan, bounds, grid, mode, workspace);
+    const PoseMatcher& room = rooms[static_cast<std::size_t>(mode.room)];
+    Bounds about = bounds;
+    if (!start_.heading) about.heading = mode.pose.heading;
+    room.refine(scan, about, grid, mode, workspace);
     mode.pose.heading = wrap_angle(mode.pose.heading);
   }
   std::stable_sort(modes_.begin(), modes_.end(),

@@ -1,6 +1,7 @@
 #include "thesis/floor.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace echoway::thesis {
 
@@ -11,16 +12,23 @@ Floor::Floor(const Room& room) {
   if (sides_.empty()) {
     for (const Segment& wall : room.walls) add(wall.a, wall.b);
   }
+  measure();
 }
 
 void Floor::add(Vec2 a, Vec2 b) {
-  if (!is_finite(a) || !is_finite(b)) return;
-  if (sides_.empty()) low_ = high_ = a;
-  for (const Vec2 p : {a, b}) {
-    low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
-    high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
+  if (is_finite(a) && is_finite(b)) sides_.push_back({a, b});
+}
+
+void Floor::measure() noexcept {
+  if (sides_.empty()) return;
+  const Vec2 along = sides_.front().direction();
+  frame_ = {sides_.front().a, std::atan2(along.y, along.x)};
+  for (const Segment& side : sides_) {
+    for (const Vec2 p : {frame_.inverse_transform(side.a), frame_.inverse_transform(side.b)}) {
+      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+      high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
+    }
   }
-  sides_.push_back({a, b});
 }
 
 bool Floor::contains(Vec2 point) const noexcept {

@@ -19,6 +19,8 @@ struct Headings {
   int count;   // of a full turn
   int reach;   // to either side
   double step;
+
+  [[nodiscard]] bool full() const noexcept { return 2 * reach + 1 >= count; }
 };
 
 Headings headings_for(int sensors, int sensor_step, double half_turn) noexcept {
@@ -142,12 +144,13 @@ Match PoseMatcher::match(const Scan& scan, const Bounds& bounds, MatchWorkspace&
   const Grid grid{parameters_.position_spacing_m, sensor_step(model_.belt().sensors, parameters_.heading_spacing_rad)};
   const Headings headings = headings_for(model_.belt().sensors, grid.sensor_step, bounds.half_turn);
   Spread spread(bounds.centre, parameters_.map_error_m / std::max(1, least_matches_));
+  const Pose2 layout{bounds.centre, bounds.heading};  // the grid turns with the wearer, so the answer turns with the map
   Match match;
   Mode best;
   workspace.directions_.reset(bounds.heading, headings.count);
   for (const auto& offset : workspace.offsets_) {
     if (offset.distance * grid.spacing > bounds.radius + kTie) break;
-    const Vec2 position = bounds.centre + grid.spacing * Vec2{offset.x, offset.y};
+    const Vec2 position = layout.transform(grid.spacing * Vec2{offset.x, offset.y});
     if (!floor_.contains(position)) continue;
     workspace.echoes_.simulate(model_, position, workspace.directions_);
     const double cost = displacement_cost(bounds, position, parameters_);
@@ -173,20 +176,23 @@ Match PoseMatcher::match(const Scan& scan, const Bounds& bounds, MatchWorkspace&
 void PoseMatcher::search(const Scan& scan, const Bounds& bounds, const Grid& grid, RoomIndex room,
                          std::vector<Mode>& modes, MatchWorkspace& workspace) const {
   const Headings headings = headings_for(model_.belt().sensors, grid.sensor_step, bounds.half_turn);
-  workspace.directions_.reset(bounds.heading, headings.count);
   const Vec2 reach{bounds.radius, bounds.radius};
-  const Vec2 low = bounds.whole_room() ? floor_.low() + Vec2{0.5 * grid.spacing, 0.5 * grid.spacing}
-                                       : bounds.centre - reach;
-  const Vec2 high = bounds.whole_room() ? floor_.high() : bounds.centre + reach;
+  const Vec2 margin{0.5 * grid.spacing, 0.5 * grid.spacing};
+  const Pose2 layout = bounds.whole_room() ? floor_.frame() : Pose2{bounds.centre, bounds.heading};
+  const Vec2 low = bounds.whole_room() ? floor_.low() + margin : -reach;
+  const Vec2 high = bounds.whole_room() ? floor_.high() : reach;
+  const double heading = headings.full() ? layout.heading : bounds.heading;
+  workspace.directions_.reset(heading, headings.count);
   for (int i = 0; low.x + i * grid.spacing <= high.x; ++i) {
     for (int j = 0; low.y + j * grid.spacing <= high.y; ++j) {
-      const Vec2 position = low + grid.spacing * Vec2{static_cast<double>(i), static_cast<double>(j)};
-      if (distance(position, bounds.centre) > bounds.radius || !floor_.contains(position)) continue;
+      const Vec2 local = low + grid.spacing * Vec2{static_cast<double>(i), static_cast<double>(j)};
+      const Vec2 position = layout.transform(local);
+      if ((!bounds.whole_room() && norm(local) > bounds.radius) || !floor_.contains(position)) continue;
       workspace.echoes_.simulate(model_, position, workspace.directions_);
       for_headings(headings, [&](int turn, int direction) {
         const Score score = workspace.echoes_.score(scan, direction, grid.sensor_step);
         if (score.matched < least_matches_) return;
-        offer_mode({room, {position, bounds.heading + turn * headings.step}, score.objective_m}, modes);
+        offer_mode({room, {position, heading + turn * headings.step}, score.objective_m}, modes);
       });
     }
   }
@@ -222,7 +228,8 @@ void PoseMatcher::refine(const Scan& scan, const Bounds& bounds, const Grid& gri
       const Mode from = mode;
       for (const Vec2 step : {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}, Vec2{1, 1}, Vec2{1, -1}, Vec2{-1, 1},
                               Vec2{-1, -1}}) {
-        try_pose(scan, bounds, {from.pose.position + spacing * step, from.pose.heading}, mode, workspace);
+        const Vec2 position = Pose2{from.pose.position, bounds.heading}.transform(spacing * step);
+        try_pose(scan, bounds, {position, from.pose.heading}, mode, workspace);
       }
       for (const double sign : {1.0, -1.0}) {
         try_pose(scan, bounds, {mode.pose.position, from.pose.heading + sign * turn}, mode, workspace);

@@ -7,6 +7,7 @@ namespace echoway::thesis {
 namespace {
 
 constexpr double kStep = 1e-3;            // metres, for the derivative of a range
+constexpr double kLeastMove = 0.01;       // metres; keeps the covariance from closing up
 constexpr double kFarthest = 1e3;         // metres; no building is larger
 // The mean magnitude of a normal error times this is its standard deviation.
 constexpr double kMagnitudeToSigma = 1.2533141373155001;
@@ -32,8 +33,9 @@ Symmetric2 Symmetric2::rotated(double angle) const noexcept {
 
 void PositionBelief::move(double sigma) noexcept {
   const double most = kFarthest * kFarthest;
-  covariance_.xx = std::min(covariance_.xx + sigma * sigma, most);
-  covariance_.yy = std::min(covariance_.yy + sigma * sigma, most);
+  const double variance = std::max(sigma, kLeastMove) * std::max(sigma, kLeastMove);
+  covariance_.xx = std::min(covariance_.xx + variance, most);
+  covariance_.yy = std::min(covariance_.yy + variance, most);
 }
 
 void PositionBelief::observe(const Scan& scan, const Match& match, const RangeModel& model,

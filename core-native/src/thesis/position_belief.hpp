@@ -29,7 +29,7 @@ class PositionBelief {
  public:
   /// Knows the position to within `sigma`, metres.
   void reset(double sigma) noexcept { covariance_ = {sigma * sigma, 0.0, sigma * sigma}; }
-  /// The wearer may have moved by `sigma`, metres, in any direction.
+  /// The wearer may have moved by `sigma`, metres, in any direction (at least a centimetre).
   void move(double sigma) noexcept;
   /// Takes in what the matched readings say.
   void observe(const Scan& scan, const Match& match, const RangeModel& model, const ThesisParameters& parameters) noexcept;

@@ -98,7 +98,8 @@ ThesisLocator::ThesisLocator(const Building& building, const BeltConfig& belt, c
 
 void ThesisLocator::on_temperature(double celsius) {
   if (!(celsius > kColdest && celsius < kHottest)) return;
-  range_scale_ = speed_of_sound(celsius) / speed_of_sound(belt_.temperature_c);
+  const bool plausible = belt_.temperature_c > kColdest && belt_.temperature_c < kHottest;
+  range_scale_ = speed_of_sound(celsius) / speed_of_sound(plausible ? belt_.temperature_c : kReferenceCelsius);
 }
 
 // A firing older than the newest is dropped, but a whole pass of them means that the clock was set back.
@@ -146,7 +147,7 @@ void ThesisLocator::search(const Scan& scan) {
   const auto& places = search_->places();
   hypotheses_.clear();
   if (places.empty()) {
-    estimate_.state = estimate_.room == kNoRoom ? TrackState::searching : TrackState::lost;
+    estimate_.state = TrackState::searching;
     return;
   }
   // Soft shares by how much worse each matches than the best.
@@ -156,10 +157,16 @@ void ThesisLocator::search(const Scan& scan) {
   const auto share = [&](const Place& p) { return std::exp((best - p.mode.objective_m) / scale); };
   for (const Place& place : places) total += share(place);
   double in_room = 0.0;
+  Match others;  // the spread of the places in the same room
   for (const Place& place : places) {
     const double probability = share(place) / total;
     hypotheses_.push_back({place.mode.room, place.mode.pose, parameters_.movement_m, probability});
-    if (place.mode.room == places.front().mode.room) in_room += probability;
+    if (place.mode.room != places.front().mode.room) continue;
+    in_room += probability;
+    const Vec2 apart = place.mode.pose.position - places.front().mode.pose.position;
+    others.spread_xx += probability * apart.x * apart.x;
+    others.spread_xy += probability * apart.x * apart.y;
+    others.spread_yy += probability * apart.y * apart.y;
   }
   estimate_.room = places.front().mode.room;
   estimate_.pose = places.front().mode.pose;
@@ -167,7 +174,7 @@ void ThesisLocator::search(const Scan& scan) {
   estimate_.speed_mps = 0.0;
   estimate_.state = TrackState::searching;
   belief_.reset(parameters_.movement_m);
-  report_uncertainty({});
+  report_uncertainty(others);
   if (!search_->decided()) return;
   search_.reset();
   estimate_.state = TrackState::tracking;
