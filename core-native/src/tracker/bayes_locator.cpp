@@ -38,6 +38,8 @@ constexpr double kNewPlace = 0.25;                // Metres ...
 constexpr double kNewDirection = degrees(8.0);    // ... or a turn after which a sensor sees something else.
 constexpr double kLeastNovelty = 0.20;
 constexpr double kMostNovelty = 0.70;              // Even then its errors are not all new: the same cupboard, the same stride.
+constexpr double kPlanExplains = 0.52;
+constexpr double kShareGain = 1.0 / 24.0;
 constexpr double kSurelyUnmapped = 0.6;
 constexpr double kSureEnough = 0.35;               // Metres.
 constexpr double kBeyondArms = 0.40;               // Metres.
@@ -115,6 +117,7 @@ class BayesLocator::Core {
   HintIntegrator hints_;
   FitMonitor fit_;
   EchoMemory memory_;
+  double mapped_share_ = 0.7;       ///< Of recent echoes that something in the plan explains.
   double unmapped_ = 0.0;           ///< Probability that the last echo came from nothing in the plan.
   std::array<Vec2, kMaxSensors> bearings_{};
 
@@ -218,7 +221,8 @@ Shot BayesLocator::Core::aim(const Record& record) const {
 double BayesLocator::Core::update(Population& population, const Record& record, const HintIntegrator::GaitEvidence& gait) {
   Shot shot = aim(record);
   const bool tracked = &population == &main_ && record.echo && estimate_.state == TrackState::tracking;
-  if (tracked) shot.spots = recall(shot);
+  // A lost tracker would explain everything by furniture: memory serves only while the plan explains most echoes.
+  if (tracked && mapped_share_ > kPlanExplains) shot.spots = recall(shot);
   double heard_mapped = 0.0;
   double before = 0.0;
   for (Particle& p : population.particles()) {
@@ -239,6 +243,7 @@ double BayesLocator::Core::update(Population& population, const Record& record, 
     p.weight *= settle_on_floor(p, scene_);
   }
   unmapped_ = tracked && before > 0.0 ? 1.0 - heard_mapped / before : 0.0;
+  if (tracked && before > 0.0 && record.range > kBeyondArms) mapped_share_ += kShareGain * (1.0 - unmapped_ - mapped_share_);
   return fast_log(population.normalize()) - fast_log(before);
 }
 
@@ -319,7 +324,8 @@ bool BayesLocator::Core::on_firing(const Firing& firing) {
   conclude(firing.time_s);
   remember(record);
   const double progress = travelled_ / kNewPlace + turned_ / kNewDirection;
-  health_.judge(record.sensor, record.echo, record.range, progress, estimate_.state == TrackState::tracking ? unmapped_ : 0.0);
+  health_.judge(record.sensor, record.echo, record.range, progress,
+                estimate_.state == TrackState::tracking && !fit_.doubtful() ? unmapped_ : 0.0);
   return true;
 }
 
@@ -380,6 +386,7 @@ void BayesLocator::Core::consider_alternatives() {
   alternatives_.clear();
   if (share < 0.5) return;
   memory_.clear();
+  mapped_share_ = 0.7;
   fit_.reset();
 }
 

@@ -18,6 +18,7 @@ constexpr double kMemory = 1.0 / 14.0;
 constexpr double kMostlyUnmapped = 0.80;
 constexpr double kClearedUnmapped = 0.35;
 constexpr int kFirstJudgement = 20;
+constexpr int kFewOutOf = 5;              // More than one sensor in so many: it is the place that is wrong, or the room.
 
 }  // namespace
 
@@ -64,7 +65,29 @@ void SensorHealth::judge(int sensor, bool echo, double range, double progress, d
   } else if (r.suspect) {
     r.suspect = r.kind == SensorSuspicion::Kind::interference && r.near_unmapped > kClearedUnmapped;
   }
+  if (r.suspect && !was && too_many(r.kind)) acquit(r.kind);
   if (r.suspect || was) list_suspicions();
+}
+
+// Whoever is lost finds every reading unexplained. Blaming the sensors for it would take away the evidence that leads back.
+bool SensorHealth::too_many(SensorSuspicion::Kind kind) const noexcept {
+  int suspects = 0;
+  for (int i = 0; i < sensors_; ++i) {
+    const Record& r = records_[static_cast<std::size_t>(i)];
+    suspects += r.suspect && r.kind == kind;
+  }
+  return kind != SensorSuspicion::Kind::silent && suspects > std::max(1, sensors_ / kFewOutOf);
+}
+
+void SensorHealth::acquit(SensorSuspicion::Kind kind) noexcept {
+  for (Record& r : records_) {
+    if (!r.suspect || r.kind != kind) continue;
+    r.suspect = false;
+    r.repeats = 0;
+    r.near_unmapped = 0.0;
+    r.judged = 0;
+  }
+  list_suspicions();
 }
 
 void SensorHealth::list_suspicions() noexcept {

@@ -36,6 +36,8 @@ class SensorHealth {
     SensorSuspicion::Kind kind = SensorSuspicion::Kind::silent;
   };
   void list_suspicions() noexcept;
+  [[nodiscard]] bool too_many(SensorSuspicion::Kind kind) const noexcept;
+  void acquit(SensorSuspicion::Kind kind) noexcept;
 
   int sensors_;
   int silent_run_ = 0;

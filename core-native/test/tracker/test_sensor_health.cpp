@@ -53,5 +53,16 @@ TEST(SensorHealth, NamesSteadyNearReadingsThatNothingExplains) {
   EXPECT_EQ(health.suspicions()[0].kind, SensorSuspicion::Kind::interference);
 }
 
+TEST(SensorHealth, DoesNotBlameTheSensorsWhenNothingFits) {
+  SensorHealth health(kSensors);
+  for (int pass = 0; pass < 100; ++pass) {
+    for (int s = 0; s < kSensors; ++s) {
+      (void)health.trust(s, true);
+      health.judge(s, true, 0.6 + 0.05 * ((pass * 7 + s) % 23), 0.8 * pass, 0.95);
+      EXPECT_LE(health.suspicions().size(), 3u);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace echoway::tracker
