@@ -64,5 +64,6 @@ clean: ## Remove everything that was built
 	rm -rf $(BUILD)
 
 include core-native/verify.mk
+include core-native/import/import.mk
 include app/app.mk
 include core-native/guidance.mk

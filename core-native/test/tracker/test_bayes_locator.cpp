@@ -62,12 +62,18 @@ TEST(BayesLocator, KeepsHoldOfAWearerThroughRoomsAndDoors) {
 }
 
 TEST(BayesLocator, FindsAWearerOfWhomNothingIsKnown) {
+  // A share of many walks, not one: a single furnished walk may hide a wearer from any locator for half a minute.
+  constexpr int kWalks = 8;
   const Building building = test::small_office();
-  const auto walk = walk_through(building, 5, 40.0);
-  BayesLocator locator(building, {}, {});
-  const Score score = follow(locator, building, walk, true, walk.scans.firings.size() / 2);
-  EXPECT_LT(score.mean_m, 0.3);
-  EXPECT_GT(score.room_share, 0.95);
+  int found = 0;
+  for (int seed = 1; seed <= kWalks; ++seed) {
+    const auto walk = walk_through(building, static_cast<std::uint64_t>(seed), 40.0);
+    BayesLocator locator(building, {}, {});
+    const Score score = follow(locator, building, walk, true, walk.scans.firings.size() / 2);
+    found += score.mean_m < 0.3 && score.room_share > 0.95 ? 1 : 0;
+    RecordProperty("mean_m_" + std::to_string(seed), std::to_string(score.mean_m));
+  }
+  EXPECT_GE(found, kWalks - 1);
 }
 
 TEST(BayesLocator, GivesTheSameBitsOnEveryRun) {
