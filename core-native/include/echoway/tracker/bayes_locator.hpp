@@ -9,8 +9,8 @@ namespace echoway {
 
 struct BayesOptions {
   std::uint64_t seed = 1;
-  /// Particles while the wearer's place is known, with and without a gyroscope; docs/error-against-run-time.md shows what
-  /// more or fewer buy. The tracker takes more by itself while the place is uncertain.
+  /// Particles while the wearer's place is known, with and without a gyroscope. The tracker takes more by itself while the
+  /// place is uncertain.
   int particles = 120;
   int particles_without_gyroscope = 400;
 };
