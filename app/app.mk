@@ -22,8 +22,20 @@ bundled-walk: core
 	mv $(BUILD)/torgersen-lab.scans.csv $(BUILD)/torgersen-lab.motion.csv app/src/main/assets/walks/
 	mv $(BUILD)/torgersen-lab.truth.csv app/src/sharedTest/resources/walks/
 
+# Native libraries for phones where ANDROID_NDK_HOME names an NDK.
+NDK_TOOLCHAIN := $(wildcard $(ANDROID_NDK_HOME)/build/cmake/android.toolchain.cmake)
+NDK_LIB := $(CURDIR)/$(BUILD)/ndk/lib
+
 apk: ## The debug APK: packaged, signed, verified
-	$(SDKLESS) apk
+ifneq ($(NDK_TOOLCHAIN),)
+	for abi in arm64-v8a armeabi-v7a x86_64; do \
+	    cmake -S core-native -B $(BUILD)/ndk/$$abi -G Ninja -DCMAKE_TOOLCHAIN_FILE=$(NDK_TOOLCHAIN) -DANDROID_ABI=$$abi \
+	        -DANDROID_PLATFORM=26 -DANDROID_SUPPORT_FLEXIBLE_PAGE_SIZES=ON -DANDROID_STL=c++_static \
+	        -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_LIBRARY_OUTPUT_DIRECTORY=$(NDK_LIB)/$$abi >/dev/null; \
+	    cmake --build $(BUILD)/ndk/$$abi --target echoway_jni; \
+	done
+endif
+	$(SDKLESS) apk $(if $(NDK_TOOLCHAIN),$(NDK_LIB))
 
 # From the belt's bytes to an estimate in Kotlin.
 bench-app: core ## Time the way from bytes to an estimate in Kotlin

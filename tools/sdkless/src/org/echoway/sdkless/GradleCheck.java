@@ -30,6 +30,8 @@ final class GradleCheck {
     }
 
     void run() throws IOException {
+        // Everything that the catalog names, plugins included, is there to be had (a test compares lock and catalog).
+        workspace.section(workspace.lock.sections().keySet().toArray(new String[0]));
         compareModules();
         for (Layout.Module module : Layout.MODULES) compareFolders(module);
         compareSdkVersions();

@@ -27,7 +27,7 @@ final class UpdateLock {
             Every file that the build without an Android SDK uses, with its SHA-256. Made by `make update-lock` from
             gradle/libs.versions.toml, the dependencies of the Gradle scripts, and gradle/sdkless-pins.txt.""";
     /** These tools carry what is needed inside their own archive, or bring libraries that this build never calls. */
-    private static final Set<String> ALONE = Set.of("bootstrap", "platform", "aapt2", "dex");
+    private static final Set<String> ALONE = Set.of("bootstrap", "platform", "aapt2", "dex", "plugins");
 
     private final Path root;
     private final Catalog catalog;
