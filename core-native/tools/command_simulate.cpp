@@ -143,7 +143,8 @@ Status simulate(const Options& options) {
   const Result<sim::Simulation> run = sim::simulate(*building, *walk, seed);
   if (!run.ok()) return run.error();
   for (const Status& status :
-       {write_scan_log(run->scans, options.out + ".scans.csv"), write_motion_log(run->motion, options.out + ".motion.csv"),
+       {write_scan_log(run->scans, options.out + ".scans.csv"),
+        write_motion_log(run->motion, options.out + ".motion.csv"),
         write_truth_log(run->truth, options.out + ".truth.csv"),
         options.random_s > 0.0 ? write_text(sim::format_walk(*walk), options.out + ".walk") : success()}) {
     if (!status.ok()) return status;

@@ -1,5 +1,7 @@
 #include "echoway/sim/simulate.hpp"
 
+#include <algorithm>
+
 #include "belt/belt.hpp"
 #include "plan/floor_plan.hpp"
 #include "wearer/phone.hpp"
@@ -18,6 +20,24 @@ BeltHeader header_of(const BeltConfig& belt, const World& world) {
   return header;
 }
 
+// What a walk made by a program may get wrong; walk files are checked line by line.
+Status check(const Walk& walk) {
+  const BeltConfig& belt = walk.belt;
+  if (belt.sensors < 1 || belt.sensors > kMaxSensors) return Error{"the belt's number of sensors makes no sense"};
+  if (!(belt.slot_s > 0.0) || !(belt.radius_m >= 0.0)) return Error{"the belt's slot or radius makes no sense"};
+  if (!(walk.speed_mps > 0.0)) return Error{"the walking speed must be positive"};
+  const auto known = [&belt](int sensor) { return sensor >= 0 && sensor < belt.sensors; };
+  for (const WalkStep& step : walk.steps) {
+    const std::vector<int>* sensors = nullptr;
+    if (const auto* cover = std::get_if<Cover>(&step.action)) sensors = &cover->sensors;
+    if (const auto* fault = std::get_if<SensorFault>(&step.action)) sensors = &fault->sensors;
+    if (sensors != nullptr && !std::all_of(sensors->begin(), sensors->end(), known)) {
+      return Error{"the belt has no such sensor", walk.file, step.line};
+    }
+  }
+  return success();
+}
+
 std::vector<double> even_bearings(const BeltConfig& belt) {
   std::vector<double> bearings;
   for (int i = 0; i < belt.sensors; ++i) bearings.push_back(belt.bearing(i));
@@ -34,6 +54,7 @@ Footprint footprint_of(const Trajectory& trajectory) {
 }  // namespace
 
 Result<Simulation> simulate(const Building& building, const Walk& walk, std::uint64_t seed) {
+  if (Status status = check(walk); !status.ok()) return status.error();
   Random random(seed);
   const FloorPlan plan(building);
   const Result<Trajectory> trajectory = Trajectory::follow(plan, walk, random.split());
@@ -59,6 +80,9 @@ Result<Simulation> simulate(const Building& building, const Walk& walk) { return
 
 Result<ScanLog> scan_at(const Building& building, const World& world, const Ring& ring,
                         const std::vector<TruthRow>& stands, std::uint64_t seed) {
+  if (ring.bearings_rad.size() > kMaxSensors || ring.belt.sensors < 1 || ring.belt.sensors > kMaxSensors) {
+    return Error{"the ring's number of sensors makes no sense"};
+  }
   const FloorPlan plan(building);
   std::vector<Moment> moments;
   Footprint footprint;

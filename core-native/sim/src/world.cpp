@@ -6,9 +6,12 @@ namespace echoway::sim {
 
 std::string_view to_string(Profile profile) noexcept {
   switch (profile) {
-    case Profile::empty: return "empty";
-    case Profile::furnished: return "furnished";
-    case Profile::hard: break;
+    case Profile::empty:
+      return "empty";
+    case Profile::furnished:
+      return "furnished";
+    case Profile::hard:
+      break;
   }
   return "hard";
 }

@@ -12,7 +12,8 @@ constexpr double kDegree = kPi / 180.0;
 constexpr auto kParameters = std::to_array<WorldParameter>({
     {"transducer_radius_mm", &W::transducer_radius_m, 1e-3, 5, 40, "radius of the vibrating disc"},
     {"frequency_khz", &W::frequency_hz, 1e3, 20, 100, "of the ping"},
-    {"plane_margin_db", &W::plane_margin_db, 1, 0, 60, "by how much a plane wall 2 m off, on the axis, tops the threshold"},
+    {"plane_margin_db", &W::plane_margin_db, 1, 0, 60,
+     "by how much a plane wall 2 m off, on the axis, tops the threshold"},
     {"absorption_db_per_m", &W::absorption_db_per_m, 1, 0, 5, "of air, along the path"},
     {"flutter_db", &W::flutter_db, 1, 0, 10, "standard deviation of an echo's strength"},
     {"range_noise", &W::range_noise, 1, 0, 0.2, "standard deviation, share of the range"},

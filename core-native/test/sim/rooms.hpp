@@ -33,8 +33,8 @@ inline Building one_room(Room room) {
 }
 
 /// What a single sensor on the wearer's axis (radius 0) reads that looks along `degrees_off_x`.
-inline double look(const Building& building, const World& world, Vec2 from, double degrees_off_x, std::uint64_t seed = 1,
-                   const std::string& room = "") {
+inline double look(const Building& building, const World& world, Vec2 from, double degrees_off_x,
+                   std::uint64_t seed = 1, const std::string& room = "") {
   Ring ring;
   ring.belt.radius_m = 0.0;
   ring.bearings_rad = {0.0};

@@ -78,8 +78,7 @@ TEST(SimAcoustics, ABenchAnswersAtAnyIncidence) {
 
 TEST(SimAcoustics, SoundComesBackByWayOfAWallMetAskew) {
   // A chamfer at 45 degrees turns the beam by a right angle onto the far wall and back again: wall, wall, wall.
-  const Building building =
-      one_room(rooms::polygon({{0.0, 0.0}, {8.0, 0.0}, {8.0, 2.0}, {6.0, 4.0}, {0.0, 4.0}}));
+  const Building building = one_room(rooms::polygon({{0.0, 0.0}, {8.0, 0.0}, {8.0, 2.0}, {6.0, 4.0}, {0.0, 4.0}}));
   World world = ideal_world();
   const Vec2 from{3.0, 3.0};  // Meets the chamfer at (7, 3), goes down 3 m.
   EXPECT_EQ(look(building, world, from, 0.0), kSilence);
@@ -100,6 +99,29 @@ TEST(SimAcoustics, SoundGoesRoundATriangleOfTwoWalls) {
   // The wedge rotates the image of the sensor by twice its opening about the apex.
   const double unfolded = away * std::sin(2.0 * half);
   EXPECT_NEAR(look(building, world, apex - Vec2{away, 0.0}, 0.0), unfolded, kRise);
+}
+
+TEST(SimAcoustics, TheWearersBodyBlocksSoundThatComesRoundIt) {
+  // A screen close before the wearer turns the beam round by 160 degrees, past the wearer's side, to a screen behind.
+  const Vec2 wearer{10.0, 10.0};
+  const Vec2 turn = wearer + Vec2{0.32, 0.0};
+  const Vec2 back = unit_from_angle(degrees(200.0));
+  const Vec2 mirror = perpendicular(unit_from_angle(degrees(190.0)));
+  Building building = hall_with({turn - 0.3 * mirror, turn + 0.3 * mirror});
+  const Vec2 far = turn + 3.0 * back;
+  building.rooms[0].walls.push_back({far - 0.5 * perpendicular(back), far + 0.5 * perpendicular(back)});
+  World world = ideal_world();
+  world.transducer_radius_m = 0.04;  // A beam that is too narrow for the near screen to answer.
+  world.mirror_paths = true;
+  Ring ring;
+  ring.bearings_rad = {0.0};
+  ring.belt.radius_m = 0.0;
+  const auto without = scan_at(building, world, ring, {{0.0, "P", {wearer, 0.0}}}, 1);
+  ring.belt.radius_m = 0.15;
+  const auto with = scan_at(building, world, ring, {{0.0, "P", {wearer, 0.0}}}, 1);
+  ASSERT_TRUE(without.ok() && with.ok());
+  EXPECT_NEAR(without->firings[0].range_m, 3.32, kRise);
+  EXPECT_EQ(with->firings[0].range_m, kSilence);
 }
 
 TEST(SimAcoustics, AScreenHidesWhatIsBehind) {

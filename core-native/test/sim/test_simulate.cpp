@@ -1,13 +1,13 @@
-#include "echoway/sim/simulate.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "echoway/building/loader.hpp"
 #include "echoway/geometry/inclusion.hpp"
 #include "echoway/sim/random_walk.hpp"
+#include "echoway/sim/simulate.hpp"
 #include "sim/rooms.hpp"
 
 namespace echoway::sim {
@@ -227,6 +227,22 @@ TEST(Simulate, SaysWhatIsWrongWithAWalk) {
                 w.add(GoTo{{"office", {1, 1}}});
               }),
               HasSubstr("no way through open doors"));
+}
+
+TEST(Simulate, RefusesABeltThatMakesNoSense) {
+  const auto ok = [](const std::function<void(Walk&)>& change) {
+    Walk walk = from_hall();
+    change(walk);
+    return simulate(three_rooms(), walk).ok();
+  };
+  EXPECT_TRUE(ok([](Walk&) {}));
+  EXPECT_FALSE(ok([](Walk& w) { w.belt.sensors = 0; }));
+  EXPECT_FALSE(ok([](Walk& w) { w.belt.sensors = kMaxSensors + 1; }));
+  EXPECT_FALSE(ok([](Walk& w) { w.belt.slot_s = 0.0; }));
+  EXPECT_FALSE(ok([](Walk& w) { w.speed_mps = 0.0; }));
+  EXPECT_FALSE(ok([](Walk& w) { w.add(Cover{{15}, 1.0}); }));
+  EXPECT_FALSE(ok([](Walk& w) { w.add(Pause{1e6}); }));
+  EXPECT_FALSE(ok([](Walk& w) { w.start.at.x = std::nan(""); }));
 }
 
 TEST(Simulate, KeepsFurnitureAndShutDoorsOutOfTheWay) {

@@ -1,11 +1,10 @@
-#include "echoway/sim/walk_file.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "echoway/building/loader.hpp"
+#include "echoway/sim/walk_file.hpp"
 #include "sim/rooms.hpp"
 #include "support/temp_dir.hpp"
 
@@ -42,7 +41,7 @@ close hall office
 open hall office
 lights hall on
 )",
-                                         "round.walk");
+                                       "round.walk");
   ASSERT_TRUE(walk.ok()) << walk.error().to_string();
   EXPECT_EQ(walk->building, "../lab");
   EXPECT_EQ(walk->seed, 77U);
@@ -93,6 +92,25 @@ TEST(WalkFile, ErrorsOfTheWalkItselfNameTheirLine) {
   const Result<Simulation> run = simulate(three_rooms(), *walk);
   ASSERT_FALSE(run.ok());
   EXPECT_THAT(run.error().to_string(), testing::StartsWith("round.walk:3: there is no room cellar"));
+}
+
+TEST(WalkFile, NoTextMakesItCrash) {
+  const std::string good =
+      "seed 7\nprofile hard\nworld dropout 0.1\nstart hall 1 1 0\nto office 1 1\ncover 0,3 5\nstuck 4 1\nturn 90\n";
+  Random random(5);
+  for (int i = 0; i < 3000; ++i) {
+    std::string text = good;
+    for (int k = 0; k < 3; ++k) {
+      const auto at = static_cast<std::size_t>(random.uniform() * static_cast<double>(text.size()));
+      if (random.uniform() < 0.3) {
+        text.erase(at, 1 + random.next() % 5);
+      } else {
+        text[at] = static_cast<char>(random.next() % 256);
+      }
+    }
+    const Result<Walk> walk = parse_walk(text, "round.walk");
+    EXPECT_TRUE(walk.ok() || walk.error().file == "round.walk");
+  }
 }
 
 TEST(WalkFile, IsReadBackAsItWasWritten) {

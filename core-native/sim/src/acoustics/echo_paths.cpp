@@ -6,14 +6,14 @@
 namespace echoway::sim {
 namespace {
 
-constexpr double kNearest = 0.02;      // Things closer to the face than this count as this far, metres.
-constexpr double kFaintest = 0.1;      // Share of the threshold below which a path is not worth its while.
-constexpr double kFan = degrees(20.0);       // Planes serve as mirrors up to this far off the axis;
-constexpr double kFanStep = degrees(1.0);    // they are found by rays so far apart.
+constexpr double kNearest = 0.02;                // Things closer to the face than this count as this far, metres.
+constexpr double kFaintest = 0.1;                // Share of the threshold below which a path is not worth its while.
+constexpr double kFan = degrees(20.0);           // Planes serve as mirrors up to this far off the axis;
+constexpr double kFanStep = degrees(1.0);        // they are found by rays so far apart.
 constexpr double kDirectBeam = degrees(70.0);    // Other rooms are heard when their doorway lies so near the axis,
 constexpr double kMirroredBeam = degrees(25.0);  // by way of a mirror, so near.
-constexpr double kAtTheDoor = 0.3;           // Nearer than this, both rooms of a doorway are heard.
-constexpr double kBeyondEnd = 0.3;     // A plane's reflection point may lie this far beyond its end, metres.
+constexpr double kAtTheDoor = 0.3;               // Nearer than this, both rooms of a doorway are heard.
+constexpr double kBeyondEnd = 0.3;               // A plane's reflection point may lie this far beyond its end, metres.
 
 // Where the world is looked at from: the transducer itself or its image behind a plane.
 struct Vantage {
@@ -66,7 +66,8 @@ class PathFinder {
     for (const Obstacle& obstacle : obstacles_) obstacle_echo(obstacle);
   }
 
-  // Planes that the beam meets askew pass it on. A fan of rays finds those in sight (Dudek's model, thesis section 4.3).
+  // Planes that the beam meets askew pass it on. A fan of rays finds those in sight (Dudek's model, thesis
+  // section 4.3).
   void look_by_mirrors() {
     std::vector<Mirror> mirrors;
     for (double angle = -kFan; angle <= kFan; angle += kFanStep) {
@@ -80,8 +81,8 @@ class PathFinder {
       if (!known && distance(image(sensor_.face, mirror), sensor_.face) > 2.0 * kNearest) mirrors.push_back(mirror);
     }
     for (const Mirror& mirror : mirrors) {
-      look_from({image(sensor_.face, mirror), reflect(sensor_.axis, mirror.along), mirror.panel, mirror.room,
-                 mirror.along});
+      look_from(
+          {image(sensor_.face, mirror), reflect(sensor_.axis, mirror.along), mirror.panel, mirror.room, mirror.along});
     }
     for (const Mirror& first : mirrors) {
       for (const Mirror& second : mirrors) {
@@ -91,7 +92,9 @@ class PathFinder {
   }
 
  private:
-  void look_from(const Vantage& vantage) { look_into(vantage, vantage.mirror == nullptr ? sensor_.room : vantage.mirror_room, -1); }
+  void look_from(const Vantage& vantage) {
+    look_into(vantage, vantage.mirror == nullptr ? sensor_.room : vantage.mirror_room, -1);
+  }
 
   // At a room and, through the doorways that lie in the beam, at those behind.
   void look_into(const Vantage& vantage, int room, int came_from) {
@@ -121,8 +124,8 @@ class PathFinder {
     return across || std::min(std::abs(a), std::abs(b)) < half_width || distance(segment, vantage.at) < kAtTheDoor;
   }
 
-  // Keeps `path_` when sound that leaves and arrives in the given directions (unit vectors away from the transducer) can
-  // be noticed at all.
+  // Keeps `path_` when sound that leaves and arrives in the given directions (unit vectors away from the transducer)
+  // can be noticed at all.
   bool noticeable(double path_m, Vec2 out, Vec2 in, double loss) {
     const double cos_out = dot(out, sensor_.axis);
     const double cos_in = dot(in, sensor_.axis);
@@ -159,8 +162,12 @@ class PathFinder {
     });
   }
 
+  bool hidden_by_wearer(Vec2 from, Vec2 to) const {
+    return !(from == sensor_.face) && distance(Segment{from, to}, sensor_.wearer) < sensor_.girth;
+  }
+
   bool clear(int from_room, Vec2 from, int to_room, Vec2 to) const {
-    return view_.trace(from_room, from, to) == to_room && !hidden_by_obstacle(from, to);
+    return view_.trace(from_room, from, to) == to_room && !hidden_by_obstacle(from, to) && !hidden_by_wearer(from, to);
   }
 
   // Whether nothing stands between the transducer, the mirror if any, and the target.
@@ -237,7 +244,8 @@ class PathFinder {
     const double loss = receiver_.scatter_loss(d, obstacle.radius) * obstacle.reflectivity;
     if (!noticeable(2.0 * d, there, there, loss)) return;
     const Vec2 front = sensor_.face + (d / std::max(away, d)) * (obstacle.centre - sensor_.face);
-    if (view_.trace(sensor_.room, sensor_.face, front) < 0 || hidden_by_obstacle(sensor_.face, front, &obstacle)) return;
+    if (view_.trace(sensor_.room, sensor_.face, front) < 0 || hidden_by_obstacle(sensor_.face, front, &obstacle))
+      return;
     arrivals_.push_back(path_);
   }
 

@@ -12,6 +12,8 @@ struct Sensor {
   Vec2 face{};
   Vec2 axis{1.0, 0.0};  ///< Unit vector.
   int room = 0;         ///< Placed room in which the face is.
+  Vec2 wearer{};        ///< The axis of the body that carries it, which blocks what comes round from the other side.
+  double girth = 0.0;   ///< Radius of that body, metres.
 };
 
 /// Something round that moves: an arm, a passer-by. Answers like a post and blocks what is behind.

@@ -10,12 +10,12 @@
 namespace echoway::sim {
 namespace {
 
-constexpr double kReferencePath = 4.0;   // There and back to a plane 2 m off.
-constexpr double kGainRiseDb = 40.0;     // From the first gain step to the last.
-constexpr double kPulse = 16.0;          // Cycles in the ping: the echo's envelope rises that long.
-constexpr double kNearestPath = 0.05;    // Metres; shorter paths count as this long.
-constexpr int kPatternSteps = 4096;      // Of the tabulated directivity; linear between, good to 1e-5.
-constexpr int kSamplesPerPulse = 24;     // Of the envelope where echoes overlap.
+constexpr double kReferencePath = 4.0;  // There and back to a plane 2 m off.
+constexpr double kGainRiseDb = 40.0;    // From the first gain step to the last.
+constexpr double kPulse = 16.0;         // Cycles in the ping: the echo's envelope rises that long.
+constexpr double kNearestPath = 0.05;   // Metres; shorter paths count as this long.
+constexpr int kPatternSteps = 4096;     // Of the tabulated directivity; linear between, good to 1e-5.
+constexpr int kSamplesPerPulse = 24;    // Of the envelope where echoes overlap.
 // Times at which the ranging module raises its gain, seconds after the ping (step table of its control chip; the last
 // is the "maximum 38 ms after emission" of the thesis, section 6.1).
 constexpr std::array<double, 11> kGainSteps{2.38e-3,  5.12e-3,  7.87e-3,  10.61e-3, 13.35e-3, 16.09e-3,

@@ -27,12 +27,13 @@ class Receiver {
   /// Spreading and absorption over a mirror-like path, 1 for a plane 2 m off.
   [[nodiscard]] double path_amplitude(double path_m) const noexcept;
 
-  /// Extra loss of an edge (radius 0) or a thin post seen from `distance_m`, against a plane there. Edge: Kuc and Siegel,
-  /// (2 pi sqrt(z / lambda))^-1; post: the mirror image behind a cylinder, sqrt(f / (z + f)) with f half its radius.
+  /// Extra loss of an edge (radius 0) or a thin post seen from `distance_m`, against a plane there. Edge: Kuc and
+  /// Siegel, (2 pi sqrt(z / lambda))^-1; post: the mirror image behind a cylinder, sqrt(f / (z + f)) with f half its
+  /// radius.
   [[nodiscard]] double scatter_loss(double distance_m, double radius_m) const noexcept;
 
-  /// Part of a plane's echo left when its reflection point lies `inside_m` inside its end (negative: beyond it): half at
-  /// the end, as in Fresnel's knife edge, all or nothing a Fresnel zone away.
+  /// Part of a plane's echo left when its reflection point lies `inside_m` inside its end (negative: beyond it): half
+  /// at the end, as in Fresnel's knife edge, all or nothing a Fresnel zone away.
   [[nodiscard]] double end_taper(double inside_m, double path_m) const noexcept;
 
   /// Amplitude over threshold at the time the echo arrives; an echo below 1 goes unnoticed.
@@ -56,9 +57,9 @@ class Receiver {
   double wave_number_;
   double wavelength_;
   double radius_;
-  double absorption_;   // Nepers per metre.
+  double absorption_;  // Nepers per metre.
   double sound_speed_;
-  double margin_;       // Amplitude ratio.
+  double margin_;  // Amplitude ratio.
 };
 
 /// The disc that, in `world`, makes a plane wall 2 m off answer up to `half_angle` from its normal, metres.

@@ -8,8 +8,8 @@
 namespace echoway::sim {
 namespace {
 
-constexpr double kLevelAtLamp = 5.0;   // Over threshold at 2 m, facing a lamp that is kNear away.
-constexpr double kNear = 1.5;          // Metres; lamps hang at the ceiling and are never nearer.
+constexpr double kLevelAtLamp = 5.0;  // Over threshold at 2 m, facing a lamp that is kNear away.
+constexpr double kNear = 1.5;         // Metres; lamps hang at the ceiling and are never nearer.
 constexpr double kFlickerDb = 0.7;
 constexpr double kSquareMetresPerLamp = 12.0;
 

@@ -8,9 +8,9 @@
 
 namespace echoway::sim {
 
-/// Fluorescent lights whose electronic ballasts radiate at 47.1 kHz (thesis section 6.2.5, case III). A transducer's metal
-/// body picks that up the better the more it faces the lamp; the receiver's gain rises in steps, and at some step the hum
-/// crosses the threshold: a steady, false, near reading where the true echo is farther.
+/// Fluorescent lights whose electronic ballasts radiate at 47.1 kHz (thesis section 6.2.5, case III). A transducer's
+/// metal body picks that up the better the more it faces the lamp; the receiver's gain rises in steps, and at some step
+/// the hum crosses the threshold: a steady, false, near reading where the true echo is farther.
 class Ballasts {
  public:
   Ballasts(const FloorPlan& plan, double share_of_rooms, std::uint64_t seed)

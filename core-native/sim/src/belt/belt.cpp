@@ -10,7 +10,8 @@
 namespace echoway::sim {
 namespace {
 
-constexpr double kGhostWithin = 4.0;  // Metres.
+constexpr double kBeltThickness = 0.03;  // Metres.
+constexpr double kGhostWithin = 4.0;     // Metres.
 
 }  // namespace
 
@@ -64,6 +65,8 @@ std::optional<double> Belt::measure(const Moment& moment, int number, Random& ra
   Sensor sensor;
   sensor.axis = unit_from_angle(moment.pose.heading + bearings_[static_cast<std::size_t>(number)]);
   sensor.face = moment.pose.position + config_.radius_m * sensor.axis;
+  sensor.wearer = moment.pose.position;
+  sensor.girth = std::max(0.0, config_.radius_m - kBeltThickness);
   sensor.room = view.trace(0, moment.pose.position, sensor.face);
   if (sensor.room < 0) return std::nullopt;  // Pressed against something.
 
@@ -94,7 +97,8 @@ void Belt::listen_for_previous(const Sensor& sensor) {
   const double slot = config_.slot_s * speed_of_sound(world_.temperature_c);
   for (const Arrival& late : previous_) {
     const double cosine = dot(late.from, sensor.axis);
-    if (late.path_m > slot && cosine > 0.0) arrivals_.push_back({late.path_m - slot, late.amplitude, cosine, late.from});
+    if (late.path_m > slot && cosine > 0.0)
+      arrivals_.push_back({late.path_m - slot, late.amplitude, cosine, late.from});
   }
 }
 
@@ -107,7 +111,8 @@ std::optional<double> Belt::late_echo(Random& random) const {
     return std::abs(a.amplitude) < std::abs(b.amplitude);
   });
   const double slot = config_.slot_s * speed_of_sound(world_.temperature_c);
-  return (std::floor(slot / loudest->path_m) + more) * loudest->path_m - slot;
+  const double path = (std::floor(slot / loudest->path_m) + more) * loudest->path_m - slot;
+  return path < 2.0 * config_.min_range_m ? std::nullopt : std::optional(path);
 }
 
 double Belt::temperature(const Moment& moment) const {

@@ -39,10 +39,10 @@ class Belt {
   PassersBy people_;
   Ballasts ballasts_;
   SensorFaults faults_;
-  Vec2 warmer_{};                    // Unit vector towards the warm end, in the level's frame.
+  Vec2 warmer_{};  // Unit vector towards the warm end, in the level's frame.
   std::vector<Obstacle> obstacles_;
   std::vector<Arrival> arrivals_;
-  std::vector<Arrival> previous_;    // Of the firing before: they may still be on their way.
+  std::vector<Arrival> previous_;  // Of the firing before: they may still be on their way.
 };
 
 }  // namespace echoway::sim

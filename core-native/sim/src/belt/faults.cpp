@@ -7,7 +7,7 @@ void SensorFaults::cover(const Cover& cover, double now_s) {
   if (cover.sensors.empty()) {
     for (State& state : sensors_) state.covered_until_s = until;
   }
-  for (const int sensor : cover.sensors) sensors_[static_cast<std::size_t>(sensor)].covered_until_s = until;
+  for (const int sensor : cover.sensors) sensors_.at(static_cast<std::size_t>(sensor)).covered_until_s = until;
 }
 
 void SensorFaults::set(const SensorFault& fault) {
@@ -20,9 +20,12 @@ void SensorFaults::set(const SensorFault& fault) {
 std::optional<double> SensorFaults::apply(int sensor, double now_s, std::optional<double> range) const {
   const State& state = sensors_[static_cast<std::size_t>(sensor)];
   switch (state.fault) {
-    case SensorFault::Kind::dead: return std::nullopt;
-    case SensorFault::Kind::stuck: return state.stuck_at_m;
-    case SensorFault::Kind::mended: break;
+    case SensorFault::Kind::dead:
+      return std::nullopt;
+    case SensorFault::Kind::stuck:
+      return state.stuck_at_m;
+    case SensorFault::Kind::mended:
+      break;
   }
   return now_s < state.covered_until_s ? std::nullopt : range;
 }

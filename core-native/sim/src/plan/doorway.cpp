@@ -24,8 +24,8 @@ std::optional<Doorway> one_side(const Room& room, Vec2 at, const Door& door) {
   return doorway;
 }
 
-// Where the other room's frame lies in this room's: rotation from the level's frames, translation from the door, because
-// a chain of doors need not close to the centimetre and the wearer must not jump.
+// Where the other room's frame lies in this room's: rotation from the level's frames, translation from the door,
+// because a chain of doors need not close to the centimetre and the wearer must not jump.
 Pose2 place_other(const Room& room, Vec2 at, const Room& other, Vec2 at_other) {
   Pose2 frame{{}, wrap_angle(other.frame.heading - room.frame.heading)};
   frame.position = at - frame.transform(at_other);

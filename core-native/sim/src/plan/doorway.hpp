@@ -8,13 +8,13 @@ namespace echoway::sim {
 
 /// A door as one of its two rooms sees it; coordinates in that room's frame.
 struct Doorway {
-  std::size_t door = 0;    ///< Index into Building::doors.
+  std::size_t door = 0;  ///< Index into Building::doors.
   RoomIndex other = kNoRoom;
-  std::size_t twin = 0;    ///< Index of the same door among the other room's doorways.
-  Segment opening{};       ///< In this room's wall.
-  Segment threshold{};     ///< In the middle of the wall's thickness: the same line for both rooms.
-  Vec2 inward{0.0, 1.0};   ///< Unit normal of the wall, into this room.
-  Pose2 other_frame{};     ///< The other room's frame, placed so that the two sides of the door coincide.
+  std::size_t twin = 0;   ///< Index of the same door among the other room's doorways.
+  Segment opening{};      ///< In this room's wall.
+  Segment threshold{};    ///< In the middle of the wall's thickness: the same line for both rooms.
+  Vec2 inward{0.0, 1.0};  ///< Unit normal of the wall, into this room.
+  Pose2 other_frame{};    ///< The other room's frame, placed so that the two sides of the door coincide.
 
   [[nodiscard]] Vec2 centre() const noexcept { return 0.5 * (opening.a + opening.b); }
   /// Where one room ends and the other begins.

@@ -14,10 +14,10 @@ namespace echoway::sim {
 /// How a wearer gets from one room into the next: by a door, or by stairs or an elevator.
 struct Passage {
   RoomIndex to = kNoRoom;
-  Vec2 leave_at{};     ///< In the room that is left.
-  Vec2 arrive_at{};    ///< In the room that is entered.
-  int doorway = -1;    ///< Index among the left room's doorways; -1 for a link.
-  int link = -1;       ///< Index into Building::links; -1 for a door.
+  Vec2 leave_at{};   ///< In the room that is left.
+  Vec2 arrive_at{};  ///< In the room that is entered.
+  int doorway = -1;  ///< Index among the left room's doorways; -1 for a link.
+  int link = -1;     ///< Index into Building::links; -1 for a door.
 };
 
 /// A stretch of a way that lies in one room, in that room's frame, and what ends it.

@@ -24,8 +24,8 @@ class RoomGrid {
   [[nodiscard]] double clearance(Vec2 p) const noexcept;
 
   static constexpr double kCell = 0.125;
-  static constexpr double kBody = 0.25;       ///< A wearer's axis stays this far from walls.
-  static constexpr double kComfort = 0.5;     ///< And prefers this much.
+  static constexpr double kBody = 0.25;    ///< A wearer's axis stays this far from walls.
+  static constexpr double kComfort = 0.5;  ///< And prefers this much.
 
  private:
   [[nodiscard]] int index(Vec2 p) const noexcept;

@@ -10,7 +10,7 @@
 namespace echoway::sim {
 namespace {
 
-constexpr double kStride = 0.1;     // Between the places of a footprint, metres.
+constexpr double kStride = 0.1;      // Between the places of a footprint, metres.
 constexpr double kLeafClear = 0.35;  // A door's leaf stays this far from the wearer's way, metres.
 
 }  // namespace
@@ -50,7 +50,8 @@ const RoomScene& FloorWorld::scene(RoomIndex room) {
   if (known != scenes_.end()) return known->second;
   const Random random = stream(seed_, Stream::room, static_cast<std::uint64_t>(room));
   return scenes_
-      .emplace(room, build_room_scene(plan_.building().room(room), plan_.doorways(room), world_, footprint_.places[room], random))
+      .emplace(room, build_room_scene(plan_.building().room(room), plan_.doorways(room), world_,
+                                      footprint_.places[room], random))
       .first->second;
 }
 
@@ -68,8 +69,7 @@ std::optional<Segment> FloorWorld::leaf(RoomIndex room, const Doorway& doorway) 
   const Vec2 tip = hinge + doorway.width() * (std::cos(angle) * closed + std::sin(angle) * doorway.inward);
   const Segment leaf{hinge + 0.02 * doorway.inward, tip};
   const std::vector<Vec2>& way = footprint_.places[room];
-  const bool in_the_way =
-      std::any_of(way.begin(), way.end(), [&](Vec2 p) { return distance(leaf, p) < kLeafClear; });
+  const bool in_the_way = std::any_of(way.begin(), way.end(), [&](Vec2 p) { return distance(leaf, p) < kLeafClear; });
   if (in_the_way || !contains(plan_.building().room(room).boundary, tip)) return std::nullopt;
   return leaf;
 }

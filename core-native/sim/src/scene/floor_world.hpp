@@ -17,8 +17,8 @@ struct Footprint {
   void step_on(RoomIndex room, Vec2 at);
 };
 
-/// The rooms as they stand while the wearer walks: furniture, which doors are shut, where their leaves stand. Made room by
-/// room when first heard.
+/// The rooms as they stand while the wearer walks: furniture, which doors are shut, where their leaves stand. Made room
+/// by room when first heard.
 class FloorWorld final : public Surroundings {
  public:
   FloorWorld(const FloorPlan& plan, Footprint footprint, const World& world, std::uint64_t seed);

@@ -9,8 +9,8 @@
 namespace echoway::sim {
 namespace {
 
-constexpr double kPassage = 0.4;      // Left free beside the wearer's way, metres.
-constexpr double kDoorClear = 0.9;    // Left free before a door, metres.
+constexpr double kPassage = 0.4;    // Left free beside the wearer's way, metres.
+constexpr double kDoorClear = 0.9;  // Left free before a door, metres.
 constexpr int kTries = 12;
 
 using Box = std::array<Vec2, 4>;  // A rectangle by its corners, counter-clockwise.
@@ -112,7 +112,8 @@ Box draw_box(const Room& room, Random& random) {
     return rectangle(origin + off * perpendicular(u), u, width, depth);
   }
   const Vec2 u = unit_from_angle(random.uniform(0.0, kTwoPi));
-  const Vec2 at = wall.a + random.uniform() * wall.direction() + random.uniform(0.5, 3.0) * unit_from_angle(random.uniform(0.0, kTwoPi));
+  const Vec2 at = wall.a + random.uniform() * wall.direction() +
+                  random.uniform(0.5, 3.0) * unit_from_angle(random.uniform(0.0, kTwoPi));
   return rectangle(at, u, width, depth);
 }
 
@@ -135,8 +136,10 @@ void add_furniture(const Room& room, const std::vector<Doorway>& doorways, const
   }
   for (int left = draw_count(world.posts_per_m2 * area, random); left > 0; --left) {
     for (int attempt = 0; attempt < kTries; ++attempt) {
-      const Segment& wall = room.walls[static_cast<std::size_t>(random.uniform() * static_cast<double>(room.walls.size()))];
-      const Vec2 at = wall.a + random.uniform() * wall.direction() + random.uniform(0.1, 3.0) * unit_from_angle(random.uniform(0.0, kTwoPi));
+      const Segment& wall =
+          room.walls[static_cast<std::size_t>(random.uniform() * static_cast<double>(room.walls.size()))];
+      const Vec2 at = wall.a + random.uniform() * wall.direction() +
+                      random.uniform(0.1, 3.0) * unit_from_angle(random.uniform(0.0, kTwoPi));
       if (!placer.free(at)) continue;
       scene.scatterers.push_back({at, random.uniform(0.01, 0.05), 1.0});
       break;

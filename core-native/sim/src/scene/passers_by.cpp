@@ -7,9 +7,9 @@
 namespace echoway::sim {
 namespace {
 
-constexpr double kGirth = 0.2;        // Radius of a person, metres.
-constexpr double kClothes = 0.4;      // Reflectivity.
-constexpr double kPoliteness = 0.6;   // Distance kept from the wearer, axis to axis, metres.
+constexpr double kGirth = 0.2;       // Radius of a person, metres.
+constexpr double kClothes = 0.4;     // Reflectivity.
+constexpr double kPoliteness = 0.6;  // Distance kept from the wearer, axis to axis, metres.
 
 }  // namespace
 

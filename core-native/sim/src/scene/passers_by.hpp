@@ -15,8 +15,8 @@ class PassersBy {
   PassersBy(const FloorPlan& plan, double per_100m2, std::uint64_t seed)
       : plan_(plan), per_100m2_(per_100m2), seed_(seed) {}
 
-  /// Those in the view's rooms at `time_s`, in the view's frame; they make way for a wearer at `wearer`. Times must not go
-  /// back.
+  /// Those in the view's rooms at `time_s`, in the view's frame; they make way for a wearer at `wearer`. Times must not
+  /// go back.
   void add(const View& view, double time_s, Vec2 wearer, std::vector<Obstacle>& obstacles);
 
  private:

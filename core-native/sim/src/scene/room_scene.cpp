@@ -9,16 +9,17 @@
 namespace echoway::sim {
 namespace {
 
-constexpr double kShortest = 0.01;             // Shorter pieces of wall are dropped, metres.
-constexpr double kJoint = 0.03;                // Panels meet when they come this close, metres.
-constexpr double kCasingWall = 0.3;            // Wall beside a casing that serves its corner, metres.
-constexpr double kRightAngle = 0.05;           // Cosine of the angle up to which a joint still returns sound.
+constexpr double kShortest = 0.01;    // Shorter pieces of wall are dropped, metres.
+constexpr double kJoint = 0.03;       // Panels meet when they come this close, metres.
+constexpr double kCasingWall = 0.3;   // Wall beside a casing that serves its corner, metres.
+constexpr double kRightAngle = 0.05;  // Cosine of the angle up to which a joint still returns sound.
 
 // The sides of a passage through a wall that is drawn with its thickness: this room's half of them.
 void add_reveals(const Doorway& doorway, double reflectivity, RoomScene& scene) {
   const Vec2 outward = doorway.middle() - doorway.centre();
   if (norm(outward) < kShortest || dot(outward, doorway.inward) > 0.0) return;
-  for (const Vec2 jamb : {doorway.opening.a, doorway.opening.b}) scene.panels.push_back({{jamb, jamb + outward}, reflectivity});
+  for (const Vec2 jamb : {doorway.opening.a, doorway.opening.b})
+    scene.panels.push_back({{jamb, jamb + outward}, reflectivity});
 }
 
 // A casing is nailed around the frame and stands out from the wall: with the wall it makes a shallow corner.

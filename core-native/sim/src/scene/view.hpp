@@ -24,9 +24,9 @@ class Surroundings {
   [[nodiscard]] virtual std::optional<Segment> leaf(RoomIndex room, const Doorway& doorway) = 0;
 };
 
-/// What can be heard from one room: the room itself and, placed beside it through open doors, its neighbours and theirs.
-/// All coordinates are in that room's frame. Sound passes from one room into the next only through a doorway, so rooms
-/// whose outlines overlap on the plan do not leak into one another.
+/// What can be heard from one room: the room itself and, placed beside it through open doors, its neighbours and
+/// theirs. All coordinates are in that room's frame. Sound passes from one room into the next only through a doorway,
+/// so rooms whose outlines overlap on the plan do not leak into one another.
 class View {
  public:
   struct Portal {
@@ -52,13 +52,13 @@ class View {
   };
   [[nodiscard]] Hit first_panel(int room, Vec2 from, Vec2 direction, double reach) const noexcept;
 
-  /// Follows the straight line from `from`, in placed room `room`, to `to`. Returns the placed room in which it ends, -1
-  /// when something stands in the way. Things within a millimetre of either end do not count.
+  /// Follows the straight line from `from`, in placed room `room`, to `to`. Returns the placed room in which it ends,
+  /// -1 when something stands in the way. Things within a millimetre of either end do not count.
   [[nodiscard]] int trace(int room, Vec2 from, Vec2 to) const noexcept;
 
  private:
   struct Entrance {
-    int from = -1;          // Placed room from which this one is entered; -1 for the centre.
+    int from = -1;            // Placed room from which this one is entered; -1 for the centre.
     std::size_t doorway = 0;  // Of the entered room.
   };
   void place(RoomIndex room, const Pose2& frame, const Entrance& entrance, int depth, Surroundings& surroundings);

@@ -6,7 +6,7 @@
 namespace echoway::sim {
 
 void add_arms(const Moment& moment, double share, std::vector<Obstacle>& obstacles) {
-  constexpr double kAside = 0.36;          // From the axis to a hanging forearm, metres.
+  constexpr double kAside = 0.36;  // From the axis to a hanging forearm, metres.
   constexpr double kThick = 0.045;
   constexpr double kSwingPerSpeed = 0.35;  // Metres for each metre a second.
   constexpr double kSkin = 0.5;            // Reflectivity of skin and cloth.

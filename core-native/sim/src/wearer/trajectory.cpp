@@ -8,16 +8,16 @@
 namespace echoway::sim {
 namespace {
 
-constexpr double kTurnRate = degrees(100.0);        // Fastest turn of a chest, rad/s.
+constexpr double kTurnRate = degrees(100.0);  // Fastest turn of a chest, rad/s.
 constexpr double kTurnAcceleration = degrees(400.0);
-constexpr double kTurnGain = 4.0;                   // 1/s: how eagerly the chest follows the way ahead.
-constexpr double kStandAndTurn = degrees(50.0);     // Beyond this the wearer stops to turn.
-constexpr double kTurnPerStep = degrees(50.0);      // Of a wearer who turns on the spot.
-constexpr double kAcceleration = 0.8;               // m/s^2
-constexpr double kSpeedMemory = 4.0;                // s, correlation time of slow speed changes.
-constexpr double kStairs = 12.0;                    // s from one level to the next.
+constexpr double kTurnGain = 4.0;                // 1/s: how eagerly the chest follows the way ahead.
+constexpr double kStandAndTurn = degrees(50.0);  // Beyond this the wearer stops to turn.
+constexpr double kTurnPerStep = degrees(50.0);   // Of a wearer who turns on the spot.
+constexpr double kAcceleration = 0.8;            // m/s^2
+constexpr double kSpeedMemory = 4.0;             // s, correlation time of slow speed changes.
+constexpr double kStairs = 12.0;                 // s from one level to the next.
 constexpr double kElevator = 15.0;
-constexpr double kLongest = 24.0 * 3600.0;          // s; a walk longer than a day is a mistake.
+constexpr double kLongest = 3.0 * 3600.0;  // s; a longer walk is a slip of the pen, and fills the memory.
 
 }  // namespace
 
@@ -40,7 +40,7 @@ class Walker {
   Status take(const Action& action) {
     action_ = &action;
     Status status = std::visit(*this, action);
-    if (status.ok() && time_ > kLongest) return Error{"the walk takes more than a day"};
+    if (status.ok() && time_ > kLongest) return Error{"the walk takes more than three hours"};
     return status;
   }
 
@@ -167,7 +167,8 @@ class Walker {
     body_.heading = wrap_angle(body_.heading + turn_rate_ * dt);
     yaw_ += turn_rate_ * dt;
 
-    mood_ += -mood_ * dt / kSpeedMemory + world_.speed_variation * std::sqrt(2.0 * dt / kSpeedMemory) * random_.normal();
+    mood_ +=
+        -mood_ * dt / kSpeedMemory + world_.speed_variation * std::sqrt(2.0 * dt / kSpeedMemory) * random_.normal();
     const double target = wanted_speed * std::max(0.3, 1.0 + mood_);
     speed_ += std::clamp(target - speed_, -2.0 * kAcceleration * dt, kAcceleration * dt);
     double moved = 0.0;

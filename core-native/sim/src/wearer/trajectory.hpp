@@ -13,11 +13,11 @@ namespace echoway::sim {
 struct Moment {
   double time_s = 0.0;
   RoomIndex room = kNoRoom;
-  Pose2 pose{};            ///< Axis and chest, in the room's frame.
-  double yaw = 0.0;        ///< What a gyroscope integrates to: the chest's heading, unwrapped, but for being carried.
-  double heading = 0.0;    ///< The chest's heading in the level's frame.
+  Pose2 pose{};          ///< Axis and chest, in the room's frame.
+  double yaw = 0.0;      ///< What a gyroscope integrates to: the chest's heading, unwrapped, but for being carried.
+  double heading = 0.0;  ///< The chest's heading in the level's frame.
   double speed = 0.0;
-  double stride = 0.0;     ///< Phase of the gait, radians; a step is half a turn.
+  double stride = 0.0;  ///< Phase of the gait, radians; a step is half a turn.
 };
 
 /// Something that happens to the belt or the building while the wearer walks.

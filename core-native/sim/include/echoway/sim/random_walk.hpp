@@ -18,7 +18,7 @@ struct RandomWalkOptions {
   double cover_probability = 0.0;     ///< At each goal: all sensors covered for half a minute to a minute.
   std::string start_room{};           ///< Empty: any.
   Profile profile = Profile::furnished;
-  bool random_world = true;           ///< Draw the nuisance parameters too; else the profile's own.
+  bool random_world = true;  ///< Draw the nuisance parameters too; else the profile's own.
 };
 
 /// A plausible walk: from goal to goal through doors, with pauses and turns on the spot. The same arguments give the

@@ -31,8 +31,8 @@ struct Ring {
   std::vector<double> bearings_rad;  ///< From the chest; empty: evenly spaced as belt.sensors says.
 };
 
-/// One whole scan, in no time, at each of `stands`: what a wearer (or a robot) who stands there hears. Rows come stand by
-/// stand, sensor by sensor, with the stand's time. Fails when a stand names a room that does not exist.
+/// One whole scan, in no time, at each of `stands`: what a wearer (or a robot) who stands there hears. Rows come stand
+/// by stand, sensor by sensor, with the stand's time. Fails when a stand names a room that does not exist.
 Result<ScanLog> scan_at(const Building& building, const World& world, const Ring& ring,
                         const std::vector<TruthRow>& stands, std::uint64_t seed);
 

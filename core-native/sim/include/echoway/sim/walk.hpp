@@ -53,7 +53,7 @@ struct Cover {
 struct SensorFault {
   enum class Kind : std::uint8_t { dead, stuck, mended } kind = Kind::dead;
   std::vector<int> sensors;
-  double range_m = 1.0;      ///< What a stuck sensor says.
+  double range_m = 1.0;  ///< What a stuck sensor says.
 };
 /// Shuts or opens the doors between two rooms.
 struct SetDoor {
@@ -72,21 +72,21 @@ using Action = std::variant<GoTo, Pause, TurnBy, Face, Teleport, SetSpeed, Cover
 /// One line of a walk; takes place when the one before is done.
 struct WalkStep {
   Action action;
-  int line = 0;                ///< Of the walk file; 0 when made by a program.
+  int line = 0;  ///< Of the walk file; 0 when made by a program.
 };
 
 /// What the wearer does, and in what world. See docs/walk-files.md for the file.
 struct Walk {
-  std::string file;            ///< Where it was read from; empty when made by a program. For error messages.
-  std::string building;        ///< Folder that the walk file names, relative to it; may be empty.
+  std::string file;      ///< Where it was read from; empty when made by a program. For error messages.
+  std::string building;  ///< Folder that the walk file names, relative to it; may be empty.
   std::uint64_t seed = 1;
   Place start;
   double start_heading = 0.0;  ///< In the start room's frame, radians.
   int start_line = 0;
-  double speed_mps = 0.5;      ///< 1.65 ft/s.
+  double speed_mps = 0.5;  ///< 1.65 ft/s.
   std::vector<WalkStep> steps;
   World world{};
-  BeltConfig belt{};           ///< What the belt is, and what the log says of it.
+  BeltConfig belt{};  ///< What the belt is, and what the log says of it.
 
   void add(Action action, int line = 0);
 };
