@@ -29,6 +29,8 @@ class Announcer {
   /// The wearer wants the last instruction again; answer() says it as soon as the voice is free.
   void ask_again() noexcept { again_ = true; }
   void answer(double now);
+  /// The last instruction has been carried out: saying it again would mislead.
+  void forget_instruction() noexcept { instructed_ = false; }
 
   /// When the line that is being spoken ends.
   [[nodiscard]] double free_at() const noexcept { return free_at_; }

@@ -189,7 +189,9 @@ bool Follower::on_stairs(const Estimate& e) noexcept {
 }
 
 void Follower::update(const Estimate& e, bool vague, Announcer& voice) {
+  const bool sent_off = landing_ != kNoRoom;
   if (!active() || e.time_s < next_look_ || on_stairs(e)) return;
+  if (sent_off) voice.forget_instruction();
   next_look_ = e.time_s + config_->renew_s;
   if (!find_way(e)) {
     if (e.time_s - last_said_ > 3.0 * config_->repeat_gap_s && voice.offer(make_cue(CueKind::no_way), e.time_s)) {

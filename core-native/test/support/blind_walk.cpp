@@ -270,6 +270,7 @@ class Wearer {
 
   void land() {
     pending_landing_ = false;
+    last_heard_ = now_;
     const Vec2 at = router_.space(landing_.room).settle(landing_.at, 0.4);
     body_.set(landing_.room, {at, random_.uniform(-kPi, kPi)});
   }
