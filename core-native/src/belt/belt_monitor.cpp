@@ -14,8 +14,11 @@ constexpr int kCoveredRun = 10;
 constexpr double kSkippedRounds = 3.0;
 // The firing rate is averaged over about this many firings.
 constexpr double kRateMemory = 48.0;
-// A longer gap is a pause, not a rate.
+// A longer gap is a pause, not a rate; a shorter one is two stamps of one firing.
 constexpr double kLongestInterval = 1.0;
+constexpr double kShortestInterval = 1e-4;
+// Times this far behind what was heard before mean that the clock was set back.
+constexpr double kSetBack = 10.0;
 
 SensorState to_state(SensorSuspicion::Kind kind) {
   switch (kind) {
@@ -31,6 +34,12 @@ SensorState to_state(SensorSuspicion::Kind kind) {
 void MinuteCounter::advance(double time_s) noexcept {
   // Clamped so that a clock that jumps cannot overflow; a day ahead empties the minute all the same.
   const auto second = static_cast<std::int64_t>(std::clamp(std::floor(time_s), -1e15, 1e15));
+  if (second < newest_second_ - kBins) {
+    // The clock was set back: what was counted before has no place on it.
+    bins_.fill(0);
+    total_ = 0;
+    newest_second_ = second;
+  }
   if (second <= newest_second_) return;
   const std::int64_t fresh = std::min<std::int64_t>(second - newest_second_, kBins);
   for (std::int64_t i = 0; i < fresh; ++i) {
@@ -60,7 +69,8 @@ BeltMonitor::BeltMonitor(int sensor_count) { health_.sensor_count = sensor_count
 
 void BeltMonitor::heard(double time_s) {
   if (!std::isfinite(time_s)) return;
-  last_heard_ = std::max(last_heard_, time_s);
+  last_heard_ = time_s < last_heard_ - kSetBack ? time_s : std::max(last_heard_, time_s);
+  if (health_.link != BeltLink::connected) connected_since_ = time_s;
   health_.link = BeltLink::connected;
 }
 
@@ -70,11 +80,11 @@ void BeltMonitor::on_firing(const Firing& firing) {
   if (first_firing_ < 0.0) first_firing_ = firing.time_s;
 
   const double gap = firing.time_s - last_firing_;
-  if (last_firing_ >= 0.0 && gap > 0.0 && gap < kLongestInterval) {
+  if (last_firing_ >= 0.0 && gap > kShortestInterval && gap < kLongestInterval) {
     interval_ = interval_ > 0.0 ? interval_ + (gap - interval_) / kRateMemory : gap;
     health_.firings_per_second = 1.0 / interval_;
   }
-  last_firing_ = std::max(last_firing_, firing.time_s);
+  last_firing_ = gap < -kSetBack ? firing.time_s : std::max(last_firing_, firing.time_s);
 
   const auto sensor = static_cast<std::size_t>(firing.sensor);
   Watch& watch = watches_[sensor];
@@ -122,6 +132,7 @@ void BeltMonitor::on_detached() {
 
 void BeltMonitor::on_tick(double now_s) {
   if (!std::isfinite(now_s)) return;
+  if (now_s < last_heard_ - kSetBack) last_heard_ = now_s;
   if (health_.link == BeltLink::connected && now_s - last_heard_ > kBeltSilenceLimit) health_.link = BeltLink::lost;
   judge_all(now_s);
 }
@@ -150,7 +161,8 @@ SensorState BeltMonitor::judge(std::size_t sensor, double now_s) const {
   const SensorHealth& health = health_.sensors[sensor];
   if (health.fault_code != 0) return SensorState::fault;
   const double patience = kSkippedRounds * interval_ * health_.sensor_count;
-  const double last = health.last_time_s >= 0.0 ? health.last_time_s : first_firing_;
+  // What was missed while the belt was away is no sensor's fault.
+  const double last = std::max(health.last_time_s >= 0.0 ? health.last_time_s : first_firing_, connected_since_);
   if (interval_ > 0.0 && now_s - last > patience) return SensorState::silent;
   if (health.last_time_s < 0.0) return SensorState::unknown;
   if (watch.covered_run >= kCoveredRun) return SensorState::stuck;

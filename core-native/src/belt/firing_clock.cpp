@@ -16,6 +16,8 @@ constexpr std::int64_t kBlock = 32;
 constexpr double kBeatGain = 0.5;
 // The beat stays within this factor of the configured slot.
 constexpr double kBeatLimit = 4.0;
+// Arrivals this far behind mean that the host's clock was set back.
+constexpr double kSetBack = 10.0;
 
 }  // namespace
 
@@ -49,7 +51,9 @@ void FiringClock::end_block() {
   if (previous_block_.known && block_.index > previous_block_.index) {
     const double slope =
         (block_.arrival - previous_block_.arrival) / static_cast<double>(block_.index - previous_block_.index);
-    slot_ = std::clamp(slot_ + kBeatGain * (slope - slot_), nominal_slot_ / kBeatLimit, nominal_slot_ * kBeatLimit);
+    // A slope beyond the limits is no beat: arrivals that were held up and came all at once.
+    const bool beat = slope > nominal_slot_ / kBeatLimit && slope < nominal_slot_ * kBeatLimit;
+    if (beat) slot_ += kBeatGain * (slope - slot_);
   }
   previous_block_ = block_;
   block_ = {};
@@ -77,7 +81,7 @@ FiringClock::Stamp FiringClock::stamp(std::uint16_t seq, double arrival_s) {
   started_ = true;
   last_seq_ = seq;
   last_arrival_ = arrival_s;
-  last_time_ = std::max(last_time_, line_);
+  last_time_ = line_ < last_time_ - kSetBack ? line_ : std::max(last_time_, line_);
   result.time_s = last_time_;
   return result;
 }

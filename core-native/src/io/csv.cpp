@@ -71,13 +71,17 @@ Status read(const std::filesystem::path& file, std::span<const std::string_view>
       continue;
     }
     if (count != width) {
+      if (!reader.line_ended()) break;  // A log that was cut short: every whole row of it counts.
       return reader.error_here("has " + std::to_string(count) + " fields where the header has " +
                                std::to_string(width));
     }
     if (++rows > kMaxRows) {
       return reader.error_here("has more than " + std::to_string(kMaxRows) + " rows; split the log");
     }
-    if (const auto problem = handlers.row(Row({fields.data(), count}, columns))) return reader.error_here(*problem);
+    if (const auto problem = handlers.row(Row({fields.data(), count}, columns))) {
+      if (!reader.line_ended()) break;
+      return reader.error_here(*problem);
+    }
   }
   if (reader.error()) return *reader.error();
   if (width == 0) return Error{"has no header line; it must be '" + join(columns) + "'", file.string()};

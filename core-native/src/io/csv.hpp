@@ -36,12 +36,13 @@ class Row {
 struct Handlers {
   /// Each comment line before the header, without `#`; returns what is wrong with it.
   std::function<std::optional<std::string>(std::string_view)> comment = nullptr;
-  /// Each row; returns what is wrong with it.
+  /// Each row; returns what is wrong with it, and keeps nothing of it then.
   std::function<std::optional<std::string>(const Row&)> row;
 };
 
 /// Reads a log: `#` comments, a header line whose first columns are `columns` (further ones may follow), rows. Fails at
-/// the first line that is malformed or that a handler refuses.
+/// the first line that is malformed or that a handler refuses, unless it is the last and lacks its end: a log that was cut
+/// short is read up to there.
 Status read(const std::filesystem::path& file, std::span<const std::string_view> columns, const Handlers& handlers);
 
 /// Growth by doubling would pass a log's memory limit on its last step; this keeps the largest buffer at kMaxRows.

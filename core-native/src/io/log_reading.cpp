@@ -138,7 +138,9 @@ Result<std::vector<T>> read_rows(const std::filesystem::path& file, std::span<co
   csv::Handlers handlers;
   handlers.row = [&](const csv::Row& row) {
     csv::reserve_next(rows);
-    return read_row(row, clock, rows.emplace_back());
+    Problem problem = read_row(row, clock, rows.emplace_back());
+    if (problem) rows.pop_back();
+    return problem;
   };
   if (const Status status = csv::read(file, columns, handlers); !status) return status.error();
   return rows;
@@ -162,7 +164,9 @@ Result<ScanLog> read_scan_log(const std::filesystem::path& file) {
   handlers.comment = [&](std::string_view comment) { return read_belt_comment(comment, log.belt); };
   handlers.row = [&](const csv::Row& row) {
     csv::reserve_next(log.firings);
-    return read_firing(row, log.belt, clock, log.firings.emplace_back());
+    Problem problem = read_firing(row, log.belt, clock, log.firings.emplace_back());
+    if (problem) log.firings.pop_back();
+    return problem;
   };
   if (const Status status = csv::read(file, kScanColumns, handlers); !status) return status.error();
   return log;

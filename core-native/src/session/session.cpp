@@ -71,8 +71,9 @@ struct Session::Impl {
   }
 
   bool take_firing(const Firing& firing) {
+    if (!std::isfinite(firing.time_s) || !std::isfinite(firing.range_m)) return false;
     monitor.on_firing(firing);
-    if (firing.sensor >= 0 && firing.sensor < config.belt.sensors && std::isfinite(firing.time_s)) {
+    if (firing.sensor >= 0 && firing.sensor < config.belt.sensors) {
       last_scan[static_cast<std::size_t>(firing.sensor)] = firing;
     }
     const bool renewed = locator->on_firing(firing);
@@ -151,6 +152,7 @@ int Session::on_bytes(std::span<const std::uint8_t> bytes, double arrival_s) {
   impl_->arrival = arrival_s;
   impl_->firings_taken = 0;
   impl_->decoder.feed(bytes, [this](const Sentence& sentence) {
+    impl_->monitor.heard(impl_->arrival);
     std::visit([this](const auto& kind) { impl_->take(kind); }, sentence);
   });
   impl_->copy_counters();
@@ -159,7 +161,9 @@ int Session::on_bytes(std::span<const std::uint8_t> bytes, double arrival_s) {
 
 bool Session::on_firing(const Firing& firing) { return impl_->take_firing(firing); }
 
-void Session::on_motion(const MotionHint& hint) { impl_->locator->on_motion(hint); }
+void Session::on_motion(const MotionHint& hint) {
+  if (std::isfinite(hint.time_s) && std::isfinite(hint.value)) impl_->locator->on_motion(hint);
+}
 
 void Session::on_tick(double now_s) { impl_->tick(now_s); }
 

@@ -61,6 +61,7 @@ std::optional<std::string_view> LineReader::next() {
   if (begin_ == end_) return std::nullopt;
   if (line_ == INT_MAX) return fail("has too many lines", line_);
   std::string_view line(buffer_.data() + begin_, stop - begin_);
+  line_ended_ = stop < end_;
   begin_ = std::min(stop + 1, end_);
   ++line_;
   if (line_ == 1 && line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());

@@ -27,6 +27,9 @@ class LineReader {
   /// 1-based number of the line that next() returned last; 0 before the first.
   [[nodiscard]] int line() const noexcept { return line_; }
 
+  /// Whether the line that next() returned last had its end; a file that was cut short ends in one that has none.
+  [[nodiscard]] bool line_ended() const noexcept { return line_ended_; }
+
   /// What stopped next(): a read error, a line that is too long, or bytes that no text has. Nothing at a proper end.
   [[nodiscard]] const std::optional<Error>& error() const noexcept { return error_; }
 
@@ -48,6 +51,7 @@ class LineReader {
   std::size_t begin_ = 0;  ///< Unread bytes of buffer_ are [begin_, end_).
   std::size_t end_ = 0;
   bool at_end_ = false;
+  bool line_ended_ = false;
   int line_ = 0;
   std::optional<Error> error_;
 };

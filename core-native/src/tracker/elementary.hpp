@@ -12,10 +12,10 @@
 /// few nanoseconds.
 namespace echoway::tracker {
 
-/// exp(x) to 2e-15 relative for |x| <= 700; 0 below -700, exp(700) above. Cody and Waite's reduction to |r| <= ln(2)/2,
-/// then the Taylor series to degree 11 (the remainder there is below 7e-15 / 12!).
+/// exp(x) to 1e-14 relative for |x| <= 700; 0 below -700, exp(700) above. Cody and Waite's reduction to |r| <= ln(2)/2,
+/// then the Taylor series to degree 11 (what is left out is below r^12 / 12! = 7e-15).
 [[nodiscard]] inline double fast_exp(double x) noexcept {
-  if (!(x > -700.0)) return 0.0;
+  if (!(x >= -700.0)) return 0.0;
   if (x > 700.0) x = 700.0;
   constexpr double kLog2e = 1.4426950408889634;
   constexpr double kLn2High = 6.93147180369123816490e-01;

@@ -11,7 +11,8 @@ namespace echoway::tracker {
 namespace {
 
 constexpr double kStaleRate = 0.5;          // Seconds for which a yaw rate is held.
-constexpr double kFastestTurn = 20.0;       // rad/s; beyond it a gyroscope is broken.
+constexpr double kFurthestAhead = 5.0;      // Seconds that hints may run ahead of the firings.
+constexpr double kFastestTurn = 10.0;       // rad/s; nobody turns faster, a gyroscope that says so is broken.
 constexpr double kStepLateness = 0.3;
 constexpr double kShortestStep = 0.25;      // Seconds between two real steps.
 constexpr double kLongestStep = 2.0;
@@ -149,7 +150,14 @@ void HintIntegrator::on_hint(const MotionHint& hint) noexcept {
   }
 }
 
+// One hint stamped far ahead would make every later one look old.
+void HintIntegrator::forget_future(double time_s) noexcept {
+  const double newest = std::max({clock_set_ ? clock_ : time_s, last_rate_time_, last_heading_time_, last_step_});
+  if (newest > time_s + kFurthestAhead) reset_clock();
+}
+
 Interval HintIntegrator::close(double time_s, double seconds) noexcept {
+  forget_future(time_s);
   integrate_to(time_s);
   Interval interval;
   interval.seconds = seconds;

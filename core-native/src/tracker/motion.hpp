@@ -60,6 +60,7 @@ class HintIntegrator {
 
  private:
   void integrate_to(double time_s) noexcept;
+  void forget_future(double time_s) noexcept;
 
   double clock_ = 0.0;
   bool clock_set_ = false;

@@ -114,6 +114,33 @@ Hypothesis to_hypothesis(const Cluster& c, const Building& building, const Summa
   return h;
 }
 
+// Of a room that is known while the place in it is not (a featureless hall, a symmetric room) the heaviest cluster alone
+// would be a confident lie: as long as it holds less than this share of the room's particles, all of them count.
+constexpr double kOnePlace = 0.9;
+
+// The room's own probability, and the spread of all its particles about the reported position where no place stands out.
+void describe_room(std::span<const Particle> particles, const SummaryParameters& parameters, Estimate& best) noexcept {
+  double weight = 0.0, near = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
+  for (const Particle& p : particles) {
+    if (p.room != best.room) continue;
+    const Vec2 d = p.position - best.pose.position;
+    weight += p.weight;
+    if (squared_norm(d) < parameters.cluster_radius * parameters.cluster_radius) near += p.weight;
+    xx += p.weight * (p.cov.xx + d.x * d.x);
+    xy += p.weight * (p.cov.xy + d.x * d.y);
+    yy += p.weight * (p.cov.yy + d.y * d.y);
+  }
+  if (!(weight > 0.0)) return;
+  best.room_probability = std::min(1.0, weight);
+  if (near >= kOnePlace * weight) return;
+  const double factor = parameters.sigma_factor * parameters.sigma_factor / weight;
+  const double floor2 = parameters.sigma_floor * parameters.sigma_floor;
+  best.covariance_xx = factor * xx + floor2;
+  best.covariance_xy = factor * xy;
+  best.covariance_yy = factor * yy + floor2;
+  best.sigma_m = worst_sigma(best.covariance_xx, best.covariance_xy, best.covariance_yy);
+}
+
 }  // namespace
 
 Summary summarize(std::span<const Particle> particles, const Building& building, const SummaryParameters& parameters) noexcept {
@@ -156,6 +183,7 @@ Summary summarize(std::span<const Particle> particles, const Building& building,
     summary.hypotheses[static_cast<std::size_t>(i)] = to_hypothesis(c, building, parameters, i == 0 ? &summary.best : nullptr);
   }
   if (count > 0) {
+    describe_room(particles, parameters, summary.best);
     const Cluster& c = clusters[0];
     summary.log_scale = c.scale / c.weight;
     summary.log_scale_sigma = std::sqrt(std::max(0.0, c.scale2 / c.weight - summary.log_scale * summary.log_scale));

@@ -32,6 +32,8 @@ class BeltMonitor {
  public:
   explicit BeltMonitor(int sensor_count);
 
+  /// Some sentence arrived. Firings are stamped earlier than they arrive; only the arrival says that the line lives.
+  void heard(double time_s);
   void on_firing(const Firing& firing);
   void on_fault(int sensor, int code, double time_s);
   /// A status sentence; what the belt left empty is unset.
@@ -56,13 +58,13 @@ class BeltMonitor {
     SensorState suspicion = SensorState::unknown;
   };
 
-  void heard(double time_s);
   void judge_all(double now_s);
   [[nodiscard]] SensorState judge(std::size_t sensor, double now_s) const;
 
   BeltHealth health_;
   std::array<Watch, kMaxSensors> watches_{};
   double last_heard_ = -1.0;
+  double connected_since_ = -1.0;
   double first_firing_ = -1.0;
   double interval_ = 0.0;      // smoothed time between two firings
   double last_firing_ = -1.0;

@@ -16,7 +16,7 @@ class FiringClock {
   explicit FiringClock(double slot_s);
 
   struct Stamp {
-    double time_s = 0.0;       ///< On the host's clock; never goes back.
+    double time_s = 0.0;       ///< On the host's clock; goes back only when that clock was set back, by 10 s or more.
     std::uint32_t lost = 0;    ///< Firings missing between this one and the one before.
     bool restarted = false;    ///< The sequence started over (the belt rebooted).
   };
