@@ -6,8 +6,9 @@ namespace echoway::fuzz {
 
 std::span<const Target> targets() {
   static constexpr std::array kAll{
-      Target{"building", building},   Target{"scan_log", scan_log},       Target{"motion_log", motion_log},
-      Target{"track_log", track_log}, Target{"jni_layouts", jni_layouts},
+      Target{"building", building},     Target{"sentences", sentences}, Target{"scan_log", scan_log},
+      Target{"motion_log", motion_log}, Target{"track_log", track_log}, Target{"session", session},
+      Target{"jni_layouts", jni_layouts},
   };
   return kAll;
 }

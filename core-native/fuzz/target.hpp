@@ -18,9 +18,11 @@ struct Target {
 };
 
 std::string building(Bytes data);
+std::string sentences(Bytes data);
 std::string scan_log(Bytes data);
 std::string motion_log(Bytes data);
 std::string track_log(Bytes data);
+std::string session(Bytes data);
 std::string jni_layouts(Bytes data);
 
 [[nodiscard]] std::span<const Target> targets();

@@ -63,6 +63,15 @@ Building three_rooms() {
   return building;
 }
 
+Building two_closets() {
+  Building building;
+  building.unit = LengthUnit::metres;
+  building.rooms = {box_room("large", 2.5, 2.5), box_room("small", 2.5, 2.0)};
+  building.rooms[1].frame.position = {2.5, 0.0};
+  building.doors = {{0, {2.5, 1.0}, 1, {0.0, 1.0}, 0.9}};
+  return building;
+}
+
 Building alone(Room room) {
   Building building;
   building.unit = LengthUnit::metres;

@@ -19,6 +19,8 @@ namespace echoway::plans {
 
 /// A hall of 5 x 4 m, an L-shaped office to its right and a store of 5 x 3 m above the hall.
 [[nodiscard]] Building three_rooms();
+/// Two rooms of 2.5 x 2.5 and 2.5 x 2 m with a door between them: quick to search.
+[[nodiscard]] Building two_closets();
 /// One room, no door.
 [[nodiscard]] Building alone(Room room);
 

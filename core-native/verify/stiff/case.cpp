@@ -59,6 +59,8 @@ const std::vector<Case>& cases() {
     add_echo_times(all);
     add_geometry(all);
     add_plans(all);
+    add_estimation(all);
+    add_conditioning(all);
     return all;
   }();
   return table;

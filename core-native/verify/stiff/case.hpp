@@ -28,6 +28,9 @@ struct Case {
   std::string group;  ///< Heading on the page.
   std::string name;
   std::function<Outcome()> run;
+  /// Does not hold yet: the page says so, and the test is skipped instead of failed. Nothing but promises of accuracy may
+  /// be open.
+  bool open = false;
 };
 
 /// A measured error against its bound; NaN does not hold.
@@ -48,6 +51,8 @@ void add_acoustics(std::vector<Case>& table);
 void add_echo_times(std::vector<Case>& table);
 void add_geometry(std::vector<Case>& table);
 void add_plans(std::vector<Case>& table);
+void add_estimation(std::vector<Case>& table);
+void add_conditioning(std::vector<Case>& table);
 
 /// Every case.
 [[nodiscard]] const std::vector<Case>& cases();

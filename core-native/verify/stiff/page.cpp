@@ -21,7 +21,7 @@ std::string describe_error(const Outcome& outcome) {
 
 std::string row(const Case& one, const Outcome& outcome) {
   return "| " + one.name + " | " + outcome.expected + " | " + outcome.got + " | " + describe_error(outcome) + " | " +
-         (outcome.holds ? "holds" : "**fails**") + " |\n";
+         (outcome.holds ? "holds" : one.open ? "**does not hold yet**" : "**fails**") + " |\n";
 }
 
 }  // namespace
@@ -42,19 +42,22 @@ std::string page() {
   return "# Stiff and extreme cases\n\nWritten by `make stiff-page` from the table of cases that the tests run "
          "(core-native/verify/stiff), on x86-64 with the release build. Where a row stands for a sweep, the error is the "
          "worst of it and \"got\" says where it was.\n\n" +
-         std::to_string(cases().size()) + " cases, " + std::to_string(failures) + " of which fail.\n" + body;
+         std::to_string(cases().size()) + " cases, " + std::to_string(failures) + " of which do not hold.\n" + body;
 }
 
-int report_failures() {
+int report_failures(std::string_view part) {
   int failures = 0;
+  int run = 0;
   for (const Case& one : cases()) {
+    if ((one.group + ": " + one.name).find(part) == std::string::npos) continue;
+    ++run;
     const Outcome outcome = one.run();
     if (outcome.holds) continue;
-    ++failures;
-    std::printf("FAILED %s: %s: expected %s, got %s %s\n", one.group.c_str(), one.name.c_str(),
+    failures += one.open ? 0 : 1;
+    std::printf("%s %s: %s: expected %s, got %s %s\n", one.open ? "open" : "FAILED", one.group.c_str(), one.name.c_str(),
                 outcome.expected.c_str(), outcome.got.c_str(), describe_error(outcome).c_str());
   }
-  std::printf("%zu stiff cases, %d failed\n", cases().size(), failures);
+  std::printf("%d stiff cases, %d failed\n", run, failures);
   return failures;
 }
 

@@ -1,0 +1,53 @@
+#include "plans/session_promises.hpp"
+
+#include <cmath>
+
+namespace echoway::plans {
+namespace {
+
+bool usable(const Pose2& pose) { return is_finite(pose) && pose.heading > -4.0 && pose.heading < 4.0; }
+
+std::string check(const Estimate& e, const Building& building) {
+  if (e.room < kNoRoom || e.room >= static_cast<RoomIndex>(building.rooms.size())) return "the estimate's room does not exist";
+  for (const double value : {e.time_s, e.sigma_m, e.sigma_heading_rad, e.room_probability, e.covariance_xx,
+                             e.covariance_xy, e.covariance_yy, e.speed_mps, e.sound_speed_scale}) {
+    if (!std::isfinite(value)) return "the estimate has something that is not finite";
+  }
+  if (!usable(e.pose)) return "the estimate's pose is not finite";
+  if (e.sigma_m < 0.0 || e.sigma_heading_rad < 0.0) return "a negative sigma";
+  if (e.room_probability < 0.0 || e.room_probability > 1.0 + 1e-9) return "the room's probability is none";
+  if (e.covariance_xx < 0.0 || e.covariance_yy < 0.0) return "a negative variance";
+  return static_cast<int>(e.state) <= static_cast<int>(TrackState::lost) ? "" : "no such state";
+}
+
+std::string check(const BeltHealth& health) {
+  for (const double value : {health.firings_per_second, health.temperature_c, health.battery_v}) {
+    if (!std::isfinite(value)) return "the belt's health is not finite";
+  }
+  if (health.firings_per_second < 0.0) return "a negative rate";
+  if (health.sensor_count < 0 || health.sensor_count > kMaxSensors) return "no such number of sensors";
+  for (const SensorHealth& s : health.sensors) {
+    if (!std::isfinite(s.last_range_m) || !std::isfinite(s.last_time_s)) return "a sensor's health is not finite";
+    if (s.firings < 0 || s.echoes < 0 || s.echoes > s.firings) return "a sensor with more echoes than firings";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string broken_promise(const Session& session) {
+  if (std::string broken = check(session.estimate(), session.building()); !broken.empty()) return broken;
+  double total = 0.0;
+  for (const Hypothesis& h : session.hypotheses()) {
+    if (!usable(h.pose) || !std::isfinite(h.sigma_m) || !(h.probability >= 0.0)) return "a hypothesis is not finite";
+    if (h.room < 0 || h.room >= static_cast<RoomIndex>(session.building().rooms.size())) return "a hypothesis in no room";
+    total += h.probability;
+  }
+  if (!(total <= 1.0 + 1e-9)) return "hypotheses that add up to more than 1";
+  for (const Firing& f : session.last_scan()) {
+    if (!std::isfinite(f.time_s) || !std::isfinite(f.range_m)) return "the last scan is not finite";
+  }
+  return check(session.belt_health());
+}
+
+}  // namespace echoway::plans
