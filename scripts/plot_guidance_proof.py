@@ -35,6 +35,8 @@ def table(groups):
     for (source, name), rows in groups.items():
         n = len(rows)
         done = [row for row in rows if row["arrived"] == "1"]
+        if not done:
+            continue
         error = f"{total(rows, 'track_error_m') / n:.2f}" if source != "noise" else "–"
         lines.append(
             f"| {SOURCES[source]} | {name} | {n} | {100 * len(done) / n:.1f} % "
@@ -69,9 +71,8 @@ def draw_walk(axes, traces, name, source, walk):
 
 def draw(groups, traces, out):
     figure = plt.figure(figsize=(13, 11))
-    picks = [("torgersen-lab", "furnished", "0"), ("similar-rooms", "furnished", "2"), ("office", "empty", "1")]
-    for i, pick in enumerate(picks):
-        draw_walk(figure.add_axes((0.02 + 0.335 * i, 0.42, 0.21, 0.55)), traces, *pick)
+    for i, pick in enumerate([("torgersen-lab", "furnished", "0"), ("similar-rooms", "furnished", "2")]):
+        draw_walk(figure.add_axes((0.02 + 0.5 * i, 0.4, 0.3, 0.57)), traces, *pick)
     spread = figure.add_axes((0.06, 0.06, 0.4, 0.28))
     errors = figure.add_axes((0.55, 0.06, 0.4, 0.28))
     for source in SOURCES:
