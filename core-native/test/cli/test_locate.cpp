@@ -86,7 +86,7 @@ TEST(CommandLine, BadUsageExitsWithTwo) {
 }
 
 TEST(CommandLine, EveryCommandHasHelp) {
-  for (const char* command : {"check", "describe", "locate", "monitor", "play", "score", "simulate"}) {
+  for (const char* command : {"bench", "check", "describe", "locate", "monitor", "play", "score", "simulate"}) {
     const ProcessResult result = run_echoway({command, "--help"});
     EXPECT_EQ(result.status, 0) << command;
     EXPECT_NE(result.out.find("Usage"), std::string::npos) << command;
