@@ -11,8 +11,8 @@ struct BayesOptions {
   std::uint64_t seed = 1;
   /// Particles while the wearer's place is known, with and without a gyroscope. The tracker takes more by itself while the
   /// place is uncertain.
-  int particles = 120;
-  int particles_without_gyroscope = 400;
+  int particles = 240;
+  int particles_without_gyroscope = 800;
 };
 
 /// The default method: a Rao-Blackwellised particle filter over room, position, heading, speed and sound-speed scale for
