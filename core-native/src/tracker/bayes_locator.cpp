@@ -79,7 +79,11 @@ class BayesLocator::Core {
   }
 
   bool on_firing(const Firing& firing);
-  void on_motion(const MotionHint& hint) { hints_.on_hint(hint); }
+  void on_motion(const MotionHint& hint) {
+    hints_.on_hint(hint);
+    // Only the first search takes a compass at its word: it drifts, and a search that follows a loss must not be misled.
+    if (main_.empty() && hint.kind == MotionKind::heading && std::isfinite(hint.value)) compass_ = wrap_angle(hint.value);
+  }
   void on_temperature(double celsius);
 
   Estimate estimate_;
@@ -130,6 +134,7 @@ class BayesLocator::Core {
   double travelled_ = 0.0;
   double turned_ = 0.0;
   double last_heading_ = 0.0;
+  std::optional<double> compass_;        // what it said last before the first search, in the levels' frames
 
   bool clock_set_ = false;
   double last_time_ = 0.0;
@@ -339,7 +344,11 @@ void BayesLocator::Core::pursue_search() {
       if (now < pass) return;
       SearchDomain domain;
       if (start_.room) domain.only_room = *start_.room;
-      if (start_.room && start_.heading) domain.heading = *start_.heading;
+      if (start_.room && start_.heading) {
+        domain.heading = *start_.heading;
+      } else {
+        domain.level_heading = compass_;
+      }
       domain.heading_sigma = kStartHeadingSigma;
       search_.start(domain, now - pass, now);
     } else {

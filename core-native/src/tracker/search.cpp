@@ -51,12 +51,13 @@ void Search::start(const SearchDomain& domain, std::uint64_t begin, std::uint64_
   columns_ = 0;
   tried_ = count_ = cursor_ = 0;
   best_.fill(kNowhere);
-  turns_ = domain.heading || domain.near_heading ? 5 : static_cast<int>(std::lround(kTwoPi / parameters_.heading_step));
+  turns_ = heading_is_known() ? 5 : static_cast<int>(std::lround(kTwoPi / parameters_.heading_step));
 }
 
 void Search::enter_room(const Tools& tools) noexcept {
   const auto& room = tools.scene.room(room_);
   centre_ = domain_.heading;
+  if (domain_.level_heading) centre_ = *domain_.level_heading - tools.building.room(room_).frame.heading;
   if (domain_.near_heading) {
     centre_ = *domain_.near_heading + tools.building.room(domain_.near_room).frame.heading - tools.building.room(room_).frame.heading;
   }
@@ -235,7 +236,7 @@ void Search::take(Population& out, Random& random, const MotionParameters& motio
   if (out.empty()) return;
   out.normalize();
   out.resample(out.capacity(), random);
-  const double half_step = 0.5 * (domain_.heading || domain_.near_heading ? domain_.heading_sigma : parameters_.heading_step);
+  const double half_step = 0.5 * (heading_is_known() ? domain_.heading_sigma : parameters_.heading_step);
   for (Particle& p : out.particles()) {
     p.heading = wrap_near(p.heading + random.uniform(-half_step, half_step));
     const SinCos f = fast_sincos(p.heading);

@@ -13,6 +13,7 @@ namespace echoway::tracker {
 struct SearchDomain {
   RoomIndex only_room = kNoRoom;              ///< kNoRoom: everywhere.
   std::optional<double> heading;              ///< In that room's frame; unset: all round.
+  std::optional<double> level_heading;        ///< In the levels' frames, when a compass said so; unset: all round.
   double heading_sigma = degrees(6.0);
   RoomIndex near_room = kNoRoom;              ///< When set, places near this one are likelier than elsewhere.
   Vec2 near_position{};                       ///< In that room's frame.
@@ -71,6 +72,9 @@ class Search {
     std::uint64_t next = 0;              ///< First firing not yet replayed.
   };
 
+  [[nodiscard]] bool heading_is_known() const noexcept {
+    return domain_.heading || domain_.near_heading || domain_.level_heading;
+  }
   [[nodiscard]] bool next_candidate(const Tools& tools, Vec2& position, double& heading) noexcept;
   void enter_room(const Tools& tools) noexcept;
   [[nodiscard]] bool reachable(const Tools& tools) const noexcept;

@@ -76,6 +76,30 @@ TEST(BayesLocator, FindsAWearerOfWhomNothingIsKnown) {
   EXPECT_GE(found, 3 * kWalks / 4);
 }
 
+TEST(BayesLocator, TakesTheFirstBearingsOfAnUnknownWearerFromTheirCompass) {
+  // Two seconds after an unknown start a rectangular room looks the same both ways round; a compass settles it.
+  constexpr int kWalks = 12;
+  constexpr std::size_t kTwoSeconds = 32;
+  const Building building = test::small_office();
+  const auto facing_right = [&](bool compass) {
+    int right = 0;
+    for (int seed = 1; seed <= kWalks; ++seed) {
+      auto walk = walk_through(building, static_cast<std::uint64_t>(seed), 10.0);
+      BayesLocator locator(building, {}, {});
+      const TruthRow& first = walk.truth.front();
+      const Pose2 level = building.room(building.find_room(first.room)).frame.compose(first.pose);
+      if (compass) locator.on_motion({walk.scans.firings.front().time_s, MotionKind::heading, level.heading + degrees(5.0)});
+      for (std::size_t i = 0; i < kTwoSeconds; ++i) locator.on_firing(walk.scans.firings[i]);
+      const Estimate& e = locator.estimate();
+      const double got = building.room(e.room).frame.heading + e.pose.heading;
+      right += std::abs(wrap_angle(got - level.heading)) < degrees(45.0) ? 1 : 0;
+    }
+    return right;
+  };
+  EXPECT_GE(facing_right(true), 3 * kWalks / 4);
+  EXPECT_LT(facing_right(false), kWalks / 2) << "the test would say nothing";
+}
+
 TEST(BayesLocator, GivesTheSameBitsOnEveryRun) {
   const Building building = test::small_office();
   const auto walk = walk_through(building, 7, 15.0);
