@@ -114,6 +114,9 @@ Hypothesis to_hypothesis(const Cluster& c, const Building& building, const Summa
   return h;
 }
 
+// A place less likely than this is no hypothesis; the means of one of denormal weight would not even be finite.
+constexpr double kLeastProbability = 1e-12;
+
 // Of a room that is known while the place in it is not (a featureless hall, a symmetric room) the heaviest cluster alone
 // would be a confident lie: as long as it holds less than this share of the room's particles, all of them count.
 constexpr double kOnePlace = 0.9;
@@ -177,6 +180,7 @@ Summary summarize(std::span<const Particle> particles, const Building& building,
       std::swap(clusters[static_cast<std::size_t>(j)], clusters[static_cast<std::size_t>(j - 1)]);
     }
   }
+  while (count > 1 && clusters[static_cast<std::size_t>(count - 1)].weight < kLeastProbability) --count;
   summary.count = count;
   for (int i = 0; i < count; ++i) {
     const Cluster& c = clusters[static_cast<std::size_t>(i)];
