@@ -69,8 +69,8 @@ def page(floor, rows, plot, building):
                      f"{float(row['mean_m']) / FEET:.2f} | {float(row['worst_walk_m']) / FEET:.2f} | "
                      f"{100 * float(row['right_room']):.1f} % | {float(row['heading_deg']):.1f} deg | "
                      f"{float(row['cpu_us_a_firing']):.0f} | {ratio:.2f} |")
-    lines += ["", "The default is 240 particles with motion hints and 800 without: the smallest budgets of the sweep from which on "
-              "more buy nothing and no walk is lost. Smaller ones may hold too, but one lost walk costs more than all the time saved.",
+    lines += ["", "The default is 240 particles with motion hints and 800 without: twice the smallest budgets that usually lose no "
+              "walk of this sweep, because one lost walk costs a wearer more than the time saved.",
               "", f"The Cramer-Rao floor of a single scan (15 firings, empty rooms, 1 % noise, heading known) is "
               f"{floor / FEET:.2f} ft at the median of these walks' poses. A tracker joins many scans and may pass below it; "
               "unmapped furniture, which the floor does not know, pushes it up.", "",
