@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <new>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "echoway/building/loader.hpp"
 #include "echoway/session.hpp"
+#include "echoway/speech/speaker.hpp"
 #include "jni_text.hpp"
 #include "layouts.hpp"
 #include "session_table.hpp"
@@ -71,6 +73,34 @@ jint feed(JNIEnv* env, jlong handle, jobject estimate_out, Input input) {
         return result;
       },
       kFailed);
+}
+
+/// Runs `use` on the session.
+template <class Use>
+jint with_session(jlong handle, Use use) {
+  return guarded(
+      [&]() -> jint {
+        const auto session = session_table().find(handle);
+        return session ? use(*session) : kBadHandle;
+      },
+      kFailed);
+}
+
+/// Runs a wish of the wearer's that the core may refuse.
+template <class Wish>
+jint wish(JNIEnv* env, jlong handle, jobjectArray error, Wish ask) {
+  return with_session(handle, [&](Session& session) -> jint {
+    const echoway::Status status = ask(session);
+    if (status.ok()) return 0;
+    explain(env, error, status.error());
+    return kFailed;
+  });
+}
+
+bool is_style(jint language, jint direction, jint length) {
+  return language >= 0 && language <= static_cast<jint>(echoway::Language::french) && direction >= 0 &&
+         direction <= static_cast<jint>(echoway::DirectionStyle::degrees) && length >= 0 &&
+         length <= static_cast<jint>(echoway::LengthStyle::steps);
 }
 
 }  // namespace
@@ -166,6 +196,91 @@ JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_beltHealth(JNIEnv* env, 
         return static_cast<jint>(echoway::jni::write_belt_health(session->belt_health(), buffer));
       },
       kFailed);
+}
+
+/// Everything that is wrong with the floor plan in a folder: bytes that it takes, written when the buffer is large enough.
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_check(JNIEnv* env, jclass, jstring folder, jobject out) {
+  return guarded(
+      [&]() -> jint {
+        const auto findings = echoway::check_building(echoway::jni::to_utf8(env, folder));
+        return static_cast<jint>(echoway::jni::write_findings(findings, direct(env, out)));
+      },
+      kFailed);
+}
+
+/// The next cue with its words. Bytes written, or 0 when there is none. `language`, `direction` and `length` are ordinals
+/// of echoway::Language, DirectionStyle and LengthStyle.
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_nextCue(JNIEnv* env, jclass, jlong handle, jint language, jint direction,
+                                                                jint length, jobject out) {
+  if (!is_style(language, direction, length)) return kFailed;
+  return with_session(handle, [&](Session& session) -> jint {
+    const auto buffer = direct(env, out);
+    if (buffer.size() < echoway::jni::kCueFixedBytes) return kBadBuffer;
+    echoway::Cue cue;
+    if (!session.next_cue(cue)) return 0;
+    const echoway::SpeechStyle style{static_cast<echoway::Language>(language), static_cast<echoway::DirectionStyle>(direction),
+                                     static_cast<echoway::LengthStyle>(length)};
+    const std::string words = echoway::Speaker(session.building(), style).say(cue);
+    return static_cast<jint>(echoway::jni::write_cue(cue, words, buffer));
+  });
+}
+
+/// `kind` and `index`: see echoway::Goal; a spot is none of them. The way to the nearest exit is kind 3.
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_setDestination(JNIEnv* env, jclass, jlong handle, jint kind, jint index,
+                                                                       jboolean avoid_stairs, jobjectArray error) {
+  if (kind < static_cast<jint>(echoway::Goal::Kind::place) || kind > static_cast<jint>(echoway::Goal::Kind::room)) return kFailed;
+  const echoway::Goal goal{static_cast<echoway::Goal::Kind>(kind), index, {}};
+  const echoway::RoutePreferences preferences{avoid_stairs == JNI_TRUE};
+  return wish(env, handle, error, [&](Session& session) { return session.set_destination(goal, preferences); });
+}
+
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_backTrack(JNIEnv* env, jclass, jlong handle, jobjectArray error) {
+  return wish(env, handle, error, [](Session& session) { return session.back_track(); });
+}
+
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_clearDestination(JNIEnv*, jclass, jlong handle) {
+  return with_session(handle, [](Session& session) {
+    session.clear_destination();
+    return 0;
+  });
+}
+
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_whereAmI(JNIEnv*, jclass, jlong handle) {
+  return with_session(handle, [](Session& session) {
+    session.where_am_i();
+    return 0;
+  });
+}
+
+/// 1 when there is something to repeat, else 0.
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_repeat(JNIEnv*, jclass, jlong handle) {
+  return with_session(handle, [](Session& session) { return session.repeat() ? 1 : 0; });
+}
+
+// What a picture of the session needs: bytes that it takes, written when the buffer is large enough.
+
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_route(JNIEnv* env, jclass, jlong handle, jobject out) {
+  return with_session(handle, [&](Session& session) {
+    return static_cast<jint>(echoway::jni::write_route(session.route(), direct(env, out)));
+  });
+}
+
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_breadcrumbs(JNIEnv* env, jclass, jlong handle, jobject out) {
+  return with_session(handle, [&](Session& session) {
+    return static_cast<jint>(echoway::jni::write_spots(session.breadcrumbs(), direct(env, out)));
+  });
+}
+
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_hypotheses(JNIEnv* env, jclass, jlong handle, jobject out) {
+  return with_session(handle, [&](Session& session) {
+    return static_cast<jint>(echoway::jni::write_hypotheses(session.hypotheses(), direct(env, out)));
+  });
+}
+
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_scan(JNIEnv* env, jclass, jlong handle, jobject out) {
+  return with_session(handle, [&](Session& session) {
+    return static_cast<jint>(echoway::jni::write_echoes(session.explain_scan(), direct(env, out)));
+  });
 }
 
 }  // extern "C"

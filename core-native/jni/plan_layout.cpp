@@ -1,19 +1,9 @@
 #include "byte_writer.hpp"
 #include "layouts.hpp"
+#include "write_list.hpp"
 
 namespace echoway::jni {
 namespace {
-
-void write(ByteWriter& w, Vec2 point) noexcept {
-  w.f64(point.x);
-  w.f64(point.y);
-}
-
-template <class List, class Each>
-void write_list(ByteWriter& w, const List& list, Each each) noexcept {
-  w.i32(static_cast<std::int32_t>(list.size()));
-  for (const auto& item : list) each(item);
-}
 
 void write_room(ByteWriter& w, const Room& room) noexcept {
   w.text(room.id);

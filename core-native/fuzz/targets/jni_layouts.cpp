@@ -60,6 +60,30 @@ Building any_building(Reader& in) {
   return building;
 }
 
+Cue any_cue(Reader& in) {
+  Cue cue;
+  cue.kind = static_cast<CueKind>(in.byte());
+  cue.direction = in.number();
+  cue.landmark.index = in.integer();
+  cue.tail.present = in.byte() % 2 != 0;
+  return cue;
+}
+
+Route any_route(Reader& in) {
+  Route route;
+  route.length_m = in.number();
+  route.waypoints.resize(in.byte(), {.room = in.integer(), .at = {in.number(), in.number()}});
+  return route;
+}
+
+/// A cue is cut to the buffer, never dropped.
+std::string check_cue(const Cue& cue, const std::string& words, std::size_t size) {
+  std::vector<std::byte> memory(size, kGuard);
+  const std::size_t written = jni::write_cue(cue, words, memory);
+  if (size >= jni::kCueFixedBytes && written > size) return "a cue that could be cut did not fit";
+  return "";
+}
+
 /// Writes into a buffer of `size` bytes between guards. `write` must say what it needs whatever the size, touch nothing
 /// outside, and fill exactly what it says when that fits.
 template <class Write>
@@ -83,9 +107,22 @@ std::string jni_layouts(Bytes data) {
   const Estimate estimate = any_estimate(in);
   const BeltHealth health = any_health(in);
   const Building building = any_building(in);
+  const Cue cue = any_cue(in);
+  const Route route = any_route(in);
+  const std::vector<Spot> spots(in.byte(), {in.integer(), {in.number(), in.number()}});
+  const std::vector<Hypothesis> hypotheses(in.byte(), {in.integer(), {{in.number(), in.number()}, in.number()}, 0.0, 0.0});
+  const std::vector<ExplainedEcho> echoes(in.byte() % 65U, {.firing = {in.number(), in.byte(), in.number()}});
+  const std::vector<Finding> findings(in.byte(), {Finding::Severity::warning, any_text(in), in.integer(), any_text(in)});
+  const std::string words = any_text(in);
   std::string broken = check_writer(size, [&](auto out) { return jni::write_estimate(estimate, out); });
   if (broken.empty()) broken = check_writer(size, [&](auto out) { return jni::write_belt_health(health, out); });
   if (broken.empty()) broken = check_writer(size, [&](auto out) { return jni::write_plan(building, out); });
+  if (broken.empty()) broken = check_writer(size, [&](auto out) { return jni::write_route(route, out); });
+  if (broken.empty()) broken = check_writer(size, [&](auto out) { return jni::write_spots(spots, out); });
+  if (broken.empty()) broken = check_writer(size, [&](auto out) { return jni::write_hypotheses(hypotheses, out); });
+  if (broken.empty()) broken = check_writer(size, [&](auto out) { return jni::write_echoes(echoes, out); });
+  if (broken.empty()) broken = check_writer(size, [&](auto out) { return jni::write_findings(findings, out); });
+  if (broken.empty()) broken = check_cue(cue, words, size);
   return broken;
 }
 

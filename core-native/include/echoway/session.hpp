@@ -15,6 +15,7 @@
 #include "echoway/motion/motion_hint.hpp"
 #include "echoway/result.hpp"
 #include "echoway/routing/route.hpp"
+#include "echoway/scene/echo_explainer.hpp"
 
 namespace echoway {
 
@@ -37,7 +38,7 @@ struct SessionConfig {
 /// seconds on one monotonic clock. Output is read between calls; references stay valid until the next input.
 ///
 /// Guarantees: nothing throws; no input makes it crash, hang or emit a NaN; nothing is allocated after open() except by
-/// restart() and when a destination is set; the same calls give the same output, bit for bit.
+/// restart(), by the first explain_scan() and when a destination is set; the same calls give the same output, bit for bit.
 class Session {
  public:
   /// Fails when the building is unusable or the configuration makes no sense (sensor count outside 1 ... kMaxSensors,
@@ -71,6 +72,8 @@ class Session {
   // What the wearer wants. Each is answered by cues too; a failure says why in words for a log.
   /// To a place, an exit or a room, by the name or id that a wearer would say ("Lectern", "4", "exit").
   Status set_destination(std::string_view name, RoutePreferences preferences = {});
+  /// The same for one of the building's places, exits or rooms, or any spot.
+  Status set_destination(const Goal& goal, RoutePreferences preferences = {});
   /// To the nearest way out.
   Status way_out(RoutePreferences preferences = {});
   /// Back along the wearer's own breadcrumbs.
@@ -78,6 +81,9 @@ class Session {
   void clear_destination();
   /// Answers with cues: room, facing, nearest door.
   void where_am_i();
+  /// Answers with the last line that told the wearer to do something; false, and no cue, when there is none or it has been
+  /// carried out.
+  bool repeat();
 
   /// Takes the next cue that is to be spoken; false when there is none. Words for it: echoway/speech/speaker.hpp.
   bool next_cue(Cue& cue);
@@ -94,6 +100,9 @@ class Session {
   [[nodiscard]] const BeltHealth& belt_health() const;
   /// The newest firing of each sensor, index = sensor; time_s is NaN-free and negative before the first.
   [[nodiscard]] std::span<const Firing> last_scan() const;
+  /// The same firings with what in the plan explains each, from where the wearer was when it was fired. The first call
+  /// compiles the plan for it.
+  [[nodiscard]] std::span<const ExplainedEcho> explain_scan();
 
  private:
   struct Impl;

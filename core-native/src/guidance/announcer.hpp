@@ -26,8 +26,11 @@ class Announcer {
   /// Whether offer() would let it out.
   [[nodiscard]] bool would_speak(const Cue& cue, double now, bool asked = false) const noexcept;
 
-  /// The wearer wants the last instruction again; answer() says it as soon as the voice is free.
-  void ask_again() noexcept { again_ = true; }
+  /// The wearer wants the last instruction again; answer() says it as soon as the voice is free. False when there is none.
+  bool ask_again() noexcept {
+    again_ = instructed_;
+    return instructed_;
+  }
   void answer(double now);
   /// The last instruction has been carried out: saying it again would mislead.
   void forget_instruction() noexcept { instructed_ = false; }

@@ -108,7 +108,7 @@ Status Guide::back_track() {
 
 void Guide::clear_destination() { impl_->follower.stop(); }
 void Guide::where_am_i() { impl_->where_asked = true; }
-void Guide::repeat() { impl_->voice.ask_again(); }
+bool Guide::repeat() { return impl_->voice.ask_again(); }
 
 bool Guide::next_cue(Cue& cue) { return impl_->voice.pop(cue); }
 std::optional<LevelTransition> Guide::take_level_transition() { return impl_->follower.take_transition(); }

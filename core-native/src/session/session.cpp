@@ -77,6 +77,9 @@ struct Session::Impl {
       last_scan[static_cast<std::size_t>(firing.sensor)] = firing;
     }
     const bool renewed = locator->on_firing(firing);
+    if (firing.sensor >= 0 && firing.sensor < config.belt.sensors) {
+      fired_from[static_cast<std::size_t>(firing.sensor)] = locator->estimate();
+    }
     if (renewed) {
       monitor.set_suspicions(locator->suspicions());
       guide.on_estimate(locator->estimate(), locator->hypotheses());
@@ -125,6 +128,9 @@ struct Session::Impl {
   Router router;                     // refers to `building`
   Guide guide;
   std::array<Firing, kMaxSensors> last_scan{};
+  std::array<Estimate, kMaxSensors> fired_from{};        // where the wearer was at each of those
+  std::unique_ptr<EchoExplainer> explainer;              // refers to `building`; made when first asked
+  std::array<ExplainedEcho, kMaxSensors> explained{};
   double arrival = 0.0;              // of the bytes being taken
   int firings_taken = 0;
 };
@@ -186,6 +192,7 @@ Status Session::restart(const Start& start) {
   if (!locator) return locator.error();
   impl_->config = config;
   impl_->locator = std::move(*locator);
+  impl_->fired_from = {};
   return success();
 }
 
@@ -193,10 +200,15 @@ Status Session::set_destination(std::string_view name, RoutePreferences preferen
   return impl_->guide.set_destination(name, preferences);
 }
 
+Status Session::set_destination(const Goal& goal, RoutePreferences preferences) {
+  return impl_->guide.set_destination(goal, preferences);
+}
+
 Status Session::way_out(RoutePreferences preferences) { return impl_->guide.way_out(preferences); }
 Status Session::back_track() { return impl_->guide.back_track(); }
 void Session::clear_destination() { impl_->guide.clear_destination(); }
 void Session::where_am_i() { impl_->guide.where_am_i(); }
+bool Session::repeat() { return impl_->guide.repeat(); }
 bool Session::next_cue(Cue& cue) { return impl_->guide.next_cue(cue); }
 const Route& Session::route() const { return impl_->guide.route(); }
 std::span<const Spot> Session::breadcrumbs() const { return impl_->guide.breadcrumbs(); }
@@ -209,6 +221,14 @@ const BeltHealth& Session::belt_health() const { return impl_->monitor.health();
 
 std::span<const Firing> Session::last_scan() const {
   return std::span(impl_->last_scan).first(static_cast<std::size_t>(impl_->config.belt.sensors));
+}
+
+std::span<const ExplainedEcho> Session::explain_scan() {
+  Impl& s = *impl_;
+  if (!s.explainer) s.explainer = std::make_unique<EchoExplainer>(s.building, s.config.belt);
+  const auto sensors = static_cast<std::size_t>(s.config.belt.sensors);
+  for (std::size_t i = 0; i < sensors; ++i) s.explained[i] = s.explainer->explain(s.last_scan[i], s.fired_from[i]);
+  return std::span(s.explained).first(sensors);
 }
 
 }  // namespace echoway

@@ -173,8 +173,9 @@ TEST_F(GuideTest, AnswersWhereAmI) {
 
 TEST_F(GuideTest, RepeatsTheLastInstructionWhenAsked) {
   ASSERT_TRUE(guide.set_destination("Lectern"));
+  EXPECT_FALSE(guide.repeat()) << "nothing was told yet";
   (void)wearer.stand(2.0, 0, {1, 2.5}, 90.0);
-  guide.repeat();
+  EXPECT_TRUE(guide.repeat());
   EXPECT_THAT(kinds(wearer.stand(3.0, 0, {1, 2.5}, 90.0)), Contains(CueKind::turn));
 }
 

@@ -41,8 +41,8 @@ class Guide {
   Status back_track();
   void clear_destination();
   void where_am_i();
-  /// Says the last line again that told the wearer to do something.
-  void repeat();
+  /// Says the last line again that told the wearer to do something; false when there is none that still holds.
+  bool repeat();
 
   // What happens.
   void on_estimate(const Estimate& estimate, std::span<const Hypothesis> hypotheses = {});

@@ -41,6 +41,8 @@ class CoreSession private constructor(handle: Long) : Closeable {
     private val estimateBuffer = EstimateLayout.newBuffer()
     private val healthBuffer = BeltHealthLayout.newBuffer()
     private val bytes: ByteBuffer = ByteBuffer.allocateDirect(CHUNK_BYTES)
+    private val cueBuffer = CueLayout.newBuffer()
+    private val picture = GrowingBuffer(PICTURE_BYTES)
 
     /** The estimate after the newest input. */
     val estimate: Estimate get() = EstimateLayout.read(estimateBuffer)
@@ -83,16 +85,70 @@ class CoreSession private constructor(handle: Long) : Closeable {
 
     /** Forgets where the wearer is and starts over. */
     fun restart(start: Start) {
-        val error = arrayOfNulls<String>(1)
-        val status = NativeCore.restart(open(), start.room, start.x, start.y, start.turn, estimateBuffer, error)
-        error[0]?.let { throw CoreException(it) }
-        checked(status)
+        wish { error -> NativeCore.restart(open(), start.room, start.x, start.y, start.turn, estimateBuffer, error) }
     }
+
+    /**
+     * Leads the wearer to a place, an exit, a room or the nearest way out; cues answer.
+     *
+     * @throws CoreException when the building has no such thing or nothing leads there
+     */
+    fun setDestination(destination: Destination, preferences: RoutePreferences = RoutePreferences()) = wish { error ->
+        NativeCore.setDestination(open(), destination.kind.ordinal, destination.index, preferences.avoidStairs, error)
+    }
+
+    /**
+     * Leads the wearer back along their own breadcrumbs.
+     *
+     * @throws CoreException when there are none
+     */
+    fun backTrack() = wish { error -> NativeCore.backTrack(open(), error) }
+
+    fun clearDestination() {
+        checked(NativeCore.clearDestination(open()))
+    }
+
+    /** Cues answer with room, facing and nearest door once the next echo has come in. */
+    fun whereAmI() {
+        checked(NativeCore.whereAmI(open()))
+    }
+
+    /** Says the last instruction again; false, and no cue, when there is none that still holds. */
+    fun repeat(): Boolean = checked(NativeCore.repeat(open())) != 0
+
+    /** Takes the next cue that is to be spoken, in words of [style]; null when there is none. */
+    fun nextCue(style: SpeechStyle = SpeechStyle()): Cue? {
+        val size = checked(
+            NativeCore.nextCue(open(), style.language.ordinal, style.direction.ordinal, style.length.ordinal, cueBuffer),
+        )
+        return if (size == 0) null else CueLayout.read(cueBuffer)
+    }
+
+    // What a picture of the session needs. Each allocates what it returns: for a few times a second, not for every firing.
+
+    /** The way to the destination from where the wearer is. */
+    val route: Route get() = PictureLayout.route(picture.fill { checked(NativeCore.route(open(), it)) })
+
+    /** Where the wearer has been, oldest first, thinned. */
+    val breadcrumbs: List<Spot> get() = PictureLayout.spots(picture.fill { checked(NativeCore.breadcrumbs(open(), it)) })
+
+    /** Places that explain the echoes, the most probable first. */
+    val hypotheses: List<Hypothesis> get() = PictureLayout.hypotheses(picture.fill { checked(NativeCore.hypotheses(open(), it)) })
+
+    /** The newest reading of each sensor, by sensor, with what in the plan explains it. The first call compiles the plan. */
+    val scan: List<ExplainedEcho> get() = PictureLayout.echoes(picture.fill { checked(NativeCore.scan(open(), it)) })
 
     /** Safe to call twice. */
     override fun close() {
         val closing = handle.getAndSet(0L)
         if (closing != 0L) NativeCore.close(closing)
+    }
+
+    private fun wish(ask: (error: Array<String?>) -> Int) {
+        val error = arrayOfNulls<String>(1)
+        val status = ask(error)
+        error[0]?.let { throw CoreException(it) }
+        checked(status)
     }
 
     private fun open(): Long = handle.get().also { check(it != 0L) { "The session is closed." } }
@@ -110,6 +166,7 @@ class CoreSession private constructor(handle: Long) : Closeable {
 
     companion object {
         private const val CHUNK_BYTES = 4096
+        private const val PICTURE_BYTES = 4096
 
         /** @throws CoreException when the building is unusable or the start does not exist in it */
         fun open(building: File, nowS: Double, start: Start = Start(), belt: BeltSetup = BeltSetup(), seed: Long = 1): CoreSession {

@@ -52,4 +52,27 @@ internal object NativeCore {
     ): Int
 
     @JvmStatic external fun beltHealth(handle: Long, out: ByteBuffer): Int
+
+    @JvmStatic external fun check(folder: String, out: ByteBuffer): Int
+
+    /** Bytes written; 0 when there is no cue. */
+    @JvmStatic external fun nextCue(handle: Long, language: Int, direction: Int, length: Int, out: ByteBuffer): Int
+
+    @JvmStatic external fun setDestination(handle: Long, kind: Int, index: Int, avoidStairs: Boolean, error: Array<String?>): Int
+
+    @JvmStatic external fun backTrack(handle: Long, error: Array<String?>): Int
+
+    @JvmStatic external fun clearDestination(handle: Long): Int
+
+    @JvmStatic external fun whereAmI(handle: Long): Int
+
+    @JvmStatic external fun repeat(handle: Long): Int
+
+    @JvmStatic external fun route(handle: Long, out: ByteBuffer): Int
+
+    @JvmStatic external fun breadcrumbs(handle: Long, out: ByteBuffer): Int
+
+    @JvmStatic external fun hypotheses(handle: Long, out: ByteBuffer): Int
+
+    @JvmStatic external fun scan(handle: Long, out: ByteBuffer): Int
 }

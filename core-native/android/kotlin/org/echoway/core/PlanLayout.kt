@@ -24,13 +24,9 @@ internal class PlanLayout(private val from: ByteBuffer) {
 
     private fun spot() = Spot(from.getInt(), point())
 
-    private fun point() = Point(from.getDouble(), from.getDouble())
+    private fun point() = from.point()
 
-    private fun <T> list(item: () -> T): List<T> = List(from.getInt()) { item() }
+    private fun <T> list(item: () -> T): List<T> = from.list { item() }
 
-    private fun text(): String {
-        val bytes = ByteArray(from.getInt())
-        from.get(bytes)
-        return String(bytes, Charsets.UTF_8)
-    }
+    private fun text() = from.text()
 }

@@ -2,25 +2,13 @@ package org.echoway.core
 
 import java.io.File
 import java.nio.ByteBuffer
-import java.nio.ByteOrder
 
 /** Reads floor plans with the core's own loader. */
 object PlanLoader {
     private const val FIRST_GUESS_BYTES = 1 shl 16
 
     /** @throws CoreException when the building is unusable; its message is `file:line: what is wrong` */
-    fun load(folder: File): Plan {
-        var buffer = newBuffer(FIRST_GUESS_BYTES)
-        var size = write(folder, buffer)
-        if (size > buffer.capacity()) {
-            buffer = newBuffer(size)
-            size = write(folder, buffer)
-        }
-        check(size <= buffer.capacity()) { "The building changed while it was read." }
-        return PlanLayout(buffer).read()
-    }
-
-    private fun newBuffer(bytes: Int) = ByteBuffer.allocateDirect(bytes).order(ByteOrder.nativeOrder())
+    fun load(folder: File): Plan = PlanLayout(GrowingBuffer(FIRST_GUESS_BYTES).fill { write(folder, it) }).read()
 
     private fun write(folder: File, buffer: ByteBuffer): Int {
         val error = arrayOfNulls<String>(1)

@@ -15,6 +15,7 @@ sealed interface NavigationState {
      * @property timeS when this was so, on the app's clock
      * @property line how the belt's line is, as its source says
      * @property belt what the core heard on it
+     * @property leading what the wearer is led to ([Wish.LeadTo] or [Wish.BackTrack]); null without a destination
      */
     data class Running(
         val building: InstalledBuilding,
@@ -22,6 +23,7 @@ sealed interface NavigationState {
         val line: Line,
         val belt: BeltHealth,
         val estimate: Estimate,
+        val leading: Wish? = null,
     ) : NavigationState
 }
 

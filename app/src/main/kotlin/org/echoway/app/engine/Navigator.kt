@@ -3,11 +3,16 @@ package org.echoway.app.engine
 import java.io.IOException
 import kotlinx.coroutines.CoroutineDispatcher
 import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.channels.BufferOverflow
+import kotlinx.coroutines.channels.Channel
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.Flow
+import kotlinx.coroutines.flow.MutableSharedFlow
 import kotlinx.coroutines.flow.MutableStateFlow
+import kotlinx.coroutines.flow.SharedFlow
 import kotlinx.coroutines.flow.StateFlow
+import kotlinx.coroutines.flow.asSharedFlow
 import kotlinx.coroutines.flow.asStateFlow
 import kotlinx.coroutines.isActive
 import kotlinx.coroutines.launch
@@ -20,6 +25,7 @@ import org.echoway.app.motion.MotionSource
 import org.echoway.core.CoreException
 import org.echoway.core.CoreSession
 import org.echoway.core.MotionHint
+import org.echoway.core.SpeechStyle
 import org.echoway.core.Start
 
 /**
@@ -29,27 +35,53 @@ import org.echoway.core.Start
 class Navigator(private val thread: CoroutineDispatcher, private val clock: Clock) {
     private val published = MutableStateFlow<NavigationState>(NavigationState.Idle)
 
+    private val told = MutableSharedFlow<GuidanceEvent>(extraBufferCapacity = EVENTS_IN_FLIGHT, onBufferOverflow = BufferOverflow.DROP_OLDEST)
+    private val drawn = MutableStateFlow(Picture())
+    private val wishes = Channel<Wish>(WISHES_IN_FLIGHT, BufferOverflow.DROP_OLDEST)
+
     /** One new value a firing; what an observer was too slow for is skipped. */
     val state: StateFlow<NavigationState> = published.asStateFlow()
 
+    /** What guidance has to say; each is told once. */
+    val events: SharedFlow<GuidanceEvent> = told.asSharedFlow()
+
+    /** Way, breadcrumbs, possible places and explained echoes, four times a second while anybody looks. */
+    val picture: StateFlow<Picture> = drawn.asStateFlow()
+
+    /** How cues are put into words from now on. */
+    @Volatile var style = SpeechStyle()
+
+    /** Safe from any thread; forgotten when navigation does not run. */
+    fun ask(wish: Wish) {
+        wishes.trySend(wish)
+    }
+
     /** Navigates until it is cancelled. */
     suspend fun run(building: InstalledBuilding, start: Start, source: BeltSource, motion: MotionSource) = withContext(thread) {
+        forgetWishes()
         try {
             CoreSession.open(building.folder, clock.nowS(), start).use { session -> Run(building, session).run(source, motion) }
         } catch (e: CoreException) {
             published.value = NavigationState.Failed(e.message.orEmpty())
         } finally {
             if (published.value is NavigationState.Running) published.value = NavigationState.Idle
+            drawn.value = Picture()
         }
+    }
+
+    private fun forgetWishes() {
+        while (wishes.tryReceive().isSuccess) Unit
     }
 
     private inner class Run(private val building: InstalledBuilding, private val session: CoreSession) {
         private var line = Line.WAITING
         private var health = session.beltHealth
+        private var leading: Wish? = null
 
         suspend fun run(source: BeltSource, motion: MotionSource) = coroutineScope {
             publish()
             launch { tick() }
+            launch { for (wish in wishes) grant(wish) }
             if (!source.bringsMotion) launch { feedMotion(motion.hints()) }
             try {
                 source.events.collect(::onEvent)
@@ -65,7 +97,36 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
                 session.onTick(clock.nowS())
                 refreshHealth()
                 publish()
+                if (drawn.subscriptionCount.value > 0) draw()
                 delay(TICK_MS)
+            }
+        }
+
+        private fun draw() {
+            drawn.value = Picture(session.route, session.breadcrumbs, session.hypotheses, session.scan)
+        }
+
+        private fun grant(wish: Wish) {
+            try {
+                obey(wish)
+            } catch (e: CoreException) {
+                told.tryEmit(GuidanceEvent.Refused(wish, e.message.orEmpty()))
+            }
+            publish()
+        }
+
+        private fun obey(wish: Wish) {
+            when (wish) {
+                Wish.WhereAmI -> session.whereAmI()
+                Wish.Repeat -> if (!session.repeat()) told.tryEmit(GuidanceEvent.Refused(wish, "there is no instruction that still holds"))
+                is Wish.LeadTo -> session.setDestination(wish.destination, wish.preferences)
+                Wish.BackTrack -> session.backTrack()
+                Wish.StopLeading -> session.clearDestination()
+            }
+            when (wish) {
+                is Wish.LeadTo, Wish.BackTrack -> leading = wish
+                Wish.StopLeading -> leading = null
+                Wish.WhereAmI, Wish.Repeat -> Unit
             }
         }
 
@@ -100,12 +161,15 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
         }
 
         private fun publish() {
-            published.value = NavigationState.Running(building, clock.nowS(), line, health, session.estimate)
+            published.value = NavigationState.Running(building, clock.nowS(), line, health, session.estimate, leading)
+            while (true) told.tryEmit(GuidanceEvent.Told(session.nextCue(style) ?: return))
         }
     }
 
     private companion object {
         /** Four times a second: a belt that fell silent is noticed well within the two seconds a wearer is promised. */
         const val TICK_MS = 250L
+        const val EVENTS_IN_FLIGHT = 64
+        const val WISHES_IN_FLIGHT = 8
     }
 }

@@ -10,9 +10,31 @@ import java.io.IOException
 import kotlinx.coroutines.flow.Flow
 import kotlinx.coroutines.flow.catch
 import kotlinx.coroutines.flow.map
+import org.echoway.core.DirectionStyle
+import org.echoway.core.LengthStyle
 
 /** Where echoes come from. */
 enum class SourceKind { USB, SIMULATED_WALK, RECORDING }
+
+/** Whether guidance speaks by itself (the thesis's two service models). */
+enum class ServiceModel {
+    CONTINUOUS,
+
+    /** Only when asked. Danger, loss and anything broken are told all the same. */
+    ON_REQUEST,
+}
+
+/** How much is said. */
+enum class Verbosity {
+    /** Danger, loss, turns and answers. */
+    BRIEF,
+
+    /** Besides: rooms, doors and places on the way. */
+    NORMAL,
+
+    /** Besides: what is nice to know. */
+    FULL,
+}
 
 /**
  * What the wearer chose.
@@ -21,6 +43,9 @@ enum class SourceKind { USB, SIMULATED_WALK, RECORDING }
  * @property entrance name of the way in; null when the wearer does not know it
  * @property recording file name of the log to replay, for [SourceKind.RECORDING]
  * @property navigating whether guidance was on when the app was last alive, so that it goes on after its death
+ * @property avoidStairs take stairs only when nothing else leads there
+ * @property firefighter show the one large screen, and watch for a wearer who does not move
+ * @property introduced the first run's steps were heard or skipped
  */
 data class Settings(
     val building: String? = null,
@@ -28,6 +53,13 @@ data class Settings(
     val source: SourceKind = SourceKind.USB,
     val recording: String? = null,
     val navigating: Boolean = false,
+    val service: ServiceModel = ServiceModel.CONTINUOUS,
+    val verbosity: Verbosity = Verbosity.NORMAL,
+    val directions: DirectionStyle = DirectionStyle.SIDES,
+    val lengths: LengthStyle = LengthStyle.FEET,
+    val avoidStairs: Boolean = false,
+    val firefighter: Boolean = false,
+    val introduced: Boolean = false,
 )
 
 /** Settings that outlive the app's process. */
@@ -50,16 +82,34 @@ class DataStoreSettings(private val store: DataStore<Preferences>) : SettingsSto
             preferences.put(RECORDING, changed.recording)
             preferences[SOURCE] = changed.source.name
             preferences[NAVIGATING] = changed.navigating
+            preferences[SERVICE] = changed.service.name
+            preferences[VERBOSITY] = changed.verbosity.name
+            preferences[DIRECTIONS] = changed.directions.name
+            preferences[LENGTHS] = changed.lengths.name
+            preferences[AVOID_STAIRS] = changed.avoidStairs
+            preferences[FIREFIGHTER] = changed.firefighter
+            preferences[INTRODUCED] = changed.introduced
         }
     }
 
     private fun read(preferences: Preferences) = Settings(
         building = preferences[BUILDING],
         entrance = preferences[ENTRANCE],
-        source = SourceKind.entries.firstOrNull { it.name == preferences[SOURCE] } ?: SourceKind.USB,
+        source = preferences.choice(SOURCE, SourceKind.USB),
         recording = preferences[RECORDING],
         navigating = preferences[NAVIGATING] ?: false,
+        service = preferences.choice(SERVICE, ServiceModel.CONTINUOUS),
+        verbosity = preferences.choice(VERBOSITY, Verbosity.NORMAL),
+        directions = preferences.choice(DIRECTIONS, DirectionStyle.SIDES),
+        lengths = preferences.choice(LENGTHS, LengthStyle.FEET),
+        avoidStairs = preferences[AVOID_STAIRS] ?: false,
+        firefighter = preferences[FIREFIGHTER] ?: false,
+        introduced = preferences[INTRODUCED] ?: false,
     )
+
+    /** What an older or newer version wrote may be no choice any more. */
+    private inline fun <reified T : Enum<T>> Preferences.choice(key: Preferences.Key<String>, usual: T): T =
+        enumValues<T>().firstOrNull { it.name == this[key] } ?: usual
 
     private fun androidx.datastore.preferences.core.MutablePreferences.put(key: Preferences.Key<String>, value: String?) {
         if (value == null) remove(key) else set(key, value)
@@ -71,5 +121,12 @@ class DataStoreSettings(private val store: DataStore<Preferences>) : SettingsSto
         val SOURCE = stringPreferencesKey("source")
         val RECORDING = stringPreferencesKey("recording")
         val NAVIGATING = booleanPreferencesKey("navigating")
+        val SERVICE = stringPreferencesKey("service")
+        val VERBOSITY = stringPreferencesKey("verbosity")
+        val DIRECTIONS = stringPreferencesKey("directions")
+        val LENGTHS = stringPreferencesKey("lengths")
+        val AVOID_STAIRS = booleanPreferencesKey("avoid stairs")
+        val FIREFIGHTER = booleanPreferencesKey("firefighter")
+        val INTRODUCED = booleanPreferencesKey("introduced")
     }
 }

@@ -1,0 +1,40 @@
+package org.echoway.app.engine
+
+import org.echoway.core.Cue
+import org.echoway.core.Destination
+import org.echoway.core.ExplainedEcho
+import org.echoway.core.Hypothesis
+import org.echoway.core.Route
+import org.echoway.core.RoutePreferences
+import org.echoway.core.Spot
+
+/** What a wearer asks of guidance. The core answers with cues. */
+sealed interface Wish {
+    data object WhereAmI : Wish
+
+    /** The last instruction again. */
+    data object Repeat : Wish
+
+    data class LeadTo(val destination: Destination, val preferences: RoutePreferences = RoutePreferences()) : Wish
+
+    /** Back the way one came. */
+    data object BackTrack : Wish
+
+    data object StopLeading : Wish
+}
+
+/** What guidance has to say, in order. */
+sealed interface GuidanceEvent {
+    data class Told(val cue: Cue) : GuidanceEvent
+
+    /** [wish] cannot be met; [reason] is the core's own sentence, for a log. */
+    data class Refused(val wish: Wish, val reason: String) : GuidanceEvent
+}
+
+/** What a picture of navigation shows besides the estimate. */
+data class Picture(
+    val route: Route = Route.NONE,
+    val breadcrumbs: List<Spot> = emptyList(),
+    val hypotheses: List<Hypothesis> = emptyList(),
+    val scan: List<ExplainedEcho> = emptyList(),
+)
