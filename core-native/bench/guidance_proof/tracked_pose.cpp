@@ -1,5 +1,6 @@
 #include "tracked_pose.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace echoway::proof {
@@ -42,24 +43,22 @@ TrackedPose::TrackedPose(const Router& router, const sim::World& world, const Ro
       belt_(plan_, config_, bearings_of(config_), world_, footprint_of(building_, route), seed),
       locator_(building_, config_, start, options_of(seed)),
       random_(seed + 17) {
-  last_heading_ = start.heading.value_or(0.0);
+  if (start.room) last_heading_ = start.heading.value_or(0.0) + building_.room(*start.room).frame.heading;
 }
 
-void TrackedPose::sense_motion(const sim::Moment& m) {
-  const double dt = m.time_s - last_time_;
+/// `turned` radians and `steps` steps since the last time.
+void TrackedPose::sense_motion(double time_s, double turned, double steps) {
+  const double dt = time_s - last_time_;
   if (dt <= 0.0) return;
-  const double turned = wrap_angle(m.pose.heading - last_heading_);
+  last_time_ = time_s;
   yaw_ += turned;
   const double noise = world_.gyro_noise_rad_s * random_.normal();
-  if (world_.gyro) locator_.on_motion({m.time_s, MotionKind::yaw_rate, turned / dt + world_.gyro_bias_rad_s + noise});
-  const double before = std::floor(walked_ / world_.step_length_m);
-  walked_ += m.speed * dt;
-  const bool stepped = std::floor(walked_ / world_.step_length_m) > before;
+  if (world_.gyro) locator_.on_motion({time_s, MotionKind::yaw_rate, turned / dt + world_.gyro_bias_rad_s + noise});
+  const bool stepped = std::floor(steps_ + steps) > std::floor(steps_);
+  steps_ += steps;
   if (world_.steps && stepped && random_.uniform() >= world_.step_missed) {
-    locator_.on_motion({m.time_s, MotionKind::step, 1.0});
+    locator_.on_motion({time_s, MotionKind::step, 1.0});
   }
-  last_time_ = m.time_s;
-  last_heading_ = m.pose.heading;
 }
 
 void TrackedPose::observe(double time_s, RoomIndex room, const Pose2& pose, double speed, Guide& guide) {
@@ -69,15 +68,46 @@ void TrackedPose::observe(double time_s, RoomIndex room, const Pose2& pose, doub
   moment.pose = pose;
   moment.speed = speed;
   moment.heading = wrap_angle(pose.heading + building_.room(room).frame.heading);
-  sense_motion(moment);
+  sense_motion(time_s, wrap_angle(moment.heading - last_heading_), speed * (time_s - last_time_) / world_.step_length_m);
+  last_heading_ = moment.heading;
+  fire(moment, guide);
+}
+
+void TrackedPose::observe_between(double time_s, const test::Crossing& c, Guide& guide) {
+  const Room& from = building_.room(c.from);
+  const Room& to = building_.room(c.to);
+  if (crossing_since_ != c.begins_s) {
+    crossing_since_ = c.begins_s;
+    last_crossed_ = {};
+    crossing_ = LevelCrossing(building_.links[c.link].kind, std::max(1, std::abs(to.level - from.level)),
+                              to.level >= from.level, c.link % 2 == 0 ? 1 : -1);
+  }
+  const double share = (time_s - c.begins_s) / (c.ends_s - c.begins_s);
+  const LevelCrossing::Moment crossed = crossing_.at(share);
+  sim::Moment moment;
+  moment.time_s = time_s;
+  moment.room = share < 0.5 ? c.from : c.to;
+  moment.pose = share < 0.5 ? c.leaving : c.arriving;
+  moment.between = crossed.place;
+  moment.heading = wrap_angle(c.leaving.heading + from.frame.heading + crossed.turned);
+  moment.pose.heading = wrap_angle(moment.heading - building_.room(moment.room).frame.heading);
+  moment.speed = crossed.steps > last_crossed_.steps ? sim::stairs::kCadence * sim::stairs::kGoing : 0.0;
+  sense_motion(time_s, crossed.turned - last_crossed_.turned, crossed.steps - last_crossed_.steps);
+  last_crossed_ = crossed;
+  last_heading_ = moment.heading;
+  fire(moment, guide);
+}
+
+void TrackedPose::fire(const sim::Moment& at, Guide& guide) {
+  sim::Moment moment = at;
   moment.yaw = yaw_;
-  moment.stride = kPi * walked_ / world_.step_length_m;
+  moment.stride = kPi * steps_;
   const Firing firing = belt_.fire(moment, static_cast<int>(index_ % config_.sensors), index_);
   ++index_;
   if (!locator_.on_firing(firing)) return;
   const Estimate& e = locator_.estimate();
-  ++observations_;
-  if (e.room == room) errors_.push_back(distance(e.pose.position, pose.position));
+  if (!moment.between.present) ++observations_;
+  if (!moment.between.present && e.room == moment.room) errors_.push_back(distance(e.pose.position, moment.pose.position));
   guide.on_firing(firing);
   guide.on_estimate(e, locator_.hypotheses());
 }

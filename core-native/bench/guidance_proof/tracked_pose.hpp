@@ -6,6 +6,7 @@
 #include "belt/belt.hpp"
 #include "echoway/sim/world.hpp"
 #include "echoway/tracker/bayes_locator.hpp"
+#include "level_crossing.hpp"
 #include "plan/floor_plan.hpp"
 #include "support/blind_walk.hpp"
 
@@ -19,6 +20,7 @@ class TrackedPose : public test::PoseSource {
   TrackedPose(const Router& router, const sim::World& world, const Route& route, const Start& start, std::uint64_t seed);
 
   void observe(double time_s, RoomIndex room, const Pose2& pose, double speed, Guide& guide) override;
+  void observe_between(double time_s, const test::Crossing& crossing, Guide& guide) override;
   void on_level_transition(const LevelTransition& transition) override { locator_.on_level_transition(transition); }
 
   /// Distance between estimate and truth, metres, of every observation while the room was right.
@@ -27,7 +29,8 @@ class TrackedPose : public test::PoseSource {
   [[nodiscard]] double room_right() const noexcept;
 
  private:
-  void sense_motion(const sim::Moment& moment);
+  void sense_motion(double time_s, double turned, double steps);
+  void fire(const sim::Moment& moment, Guide& guide);
 
   const Building& building_;
   sim::World world_;
@@ -38,9 +41,12 @@ class TrackedPose : public test::PoseSource {
   Random random_;
   std::int64_t index_ = 0;
   double last_time_ = 0.0;
-  double last_heading_ = 0.0;
-  double walked_ = 0.0;
+  double last_heading_ = 0.0;  ///< In the level's frame.
+  double steps_ = 0.0;
   double yaw_ = 0.0;
+  double crossing_since_ = -1.0;
+  LevelCrossing crossing_;
+  LevelCrossing::Moment last_crossed_{};
   std::vector<double> errors_;
   std::size_t observations_ = 0;
 };

@@ -197,17 +197,67 @@ TEST(Simulate, AWearerCarriedBlindfoldIsElsewhereAtOnceAndTheGyroscopeMissedIt) 
   for (const MotionHint& hint : of_kind(*run, MotionKind::yaw_rate)) EXPECT_EQ(hint.value, 0.0);
 }
 
-TEST(Simulate, TakesTheStairsBetweenLevels) {
+Building with_upper_floor(LevelLinkKind kind) {
   Building building = three_rooms();
   Room upper = box_room("upper", {0.0, 0.0}, 5.0, 5.0);
   upper.level = 1;
   building.rooms.push_back(upper);
-  building.links = {{LevelLinkKind::stairs, 2, {2.0, 1.5}, 3, {2.0, 2.0}}};
+  building.links = {{kind, 2, {2.0, 1.5}, 3, {2.0, 2.0}}};
+  return building;
+}
+
+TEST(Simulate, TakesTheStairsBetweenLevels) {
   Walk walk = from_hall();
   walk.add(GoTo{{"upper", {4.0, 4.0}}});
-  const Result<Simulation> run = simulate(building, walk);
+  const Result<Simulation> run = simulate(with_upper_floor(LevelLinkKind::stairs), walk);
   ASSERT_TRUE(run.ok()) << run.error().to_string();
   EXPECT_THAT(rooms_of(*run), testing::ElementsAre("hall", "office", "store", "upper"));
+}
+
+/// The walk's rows at either end of the link, while its room's own walls are not heard.
+struct OnTheWayUp {
+  double seconds = 0.0;
+  double turned = 0.0;  ///< Radians, by the gyroscope.
+  int steps = 0;
+  int echoes = 0;
+  int firings = 0;
+};
+OnTheWayUp way_up(LevelLinkKind kind) {
+  Walk walk = from_hall();
+  walk.world = ideal_world();
+  walk.start = {"store", {2.0, 1.5}};
+  walk.start_heading = 0.0;
+  walk.add(GoTo{{"upper", {2.0, 2.0}}});
+  const Result<Simulation> run = simulate(with_upper_floor(kind), walk);
+  OnTheWayUp way;
+  if (!run.ok()) return way;
+  way.seconds = run->truth.back().time_s;
+  double last = 0.0;
+  for (const MotionHint& hint : of_kind(*run, MotionKind::yaw_rate)) {
+    way.turned += hint.value * (hint.time_s - last);
+    last = hint.time_s;
+  }
+  way.steps = static_cast<int>(of_kind(*run, MotionKind::step).size());
+  for (const Firing& firing : run->scans.firings) way.echoes += firing.has_echo() ? 1 : 0;
+  way.firings = static_cast<int>(run->scans.firings.size());
+  return way;
+}
+
+TEST(Simulate, StairsAreTwoFlightsOfStepsWithATurnBetween) {
+  const OnTheWayUp way = way_up(LevelLinkKind::stairs);
+  EXPECT_GT(way.seconds, 12.0);  // two flights of five to eight seconds and a landing
+  EXPECT_LT(way.seconds, 25.0);
+  EXPECT_GE(way.steps, 18);  // a step a tread, and those on the landing
+  EXPECT_LE(way.steps, 28);
+  EXPECT_NEAR(std::abs(way.turned), kPi, degrees(5.0));
+  EXPECT_GT(way.echoes, way.firings / 3);  // of the stairwell
+}
+
+TEST(Simulate, AnElevatorCarriesAWearerWhoStandsAndHasTurnedToItsDoor) {
+  const OnTheWayUp way = way_up(LevelLinkKind::elevator);
+  EXPECT_GT(way.seconds, 12.0);
+  EXPECT_LE(way.steps, 5);
+  EXPECT_NEAR(std::abs(way.turned), kPi, degrees(5.0));
 }
 
 TEST(Simulate, SaysWhatIsWrongWithAWalk) {

@@ -13,6 +13,9 @@ namespace {
 constexpr double kTick = 0.0624;        // a firing
 constexpr double kBody = 0.2;           // contact nearer than this, metres
 constexpr double kTurnRate = degrees(90.0);
+constexpr double kStorey = 17.0;        // s on stairs: two flights and the landing between,
+constexpr double kCabin = 14.0;         // and in an elevator, its coming included,
+constexpr double kCabinStorey = 3.0;    // for each level.
 constexpr double kWrongReach = 0.5;     // an instruction towards a wall nearer than this is wrong, metres
 
 /// What a wearer understands by a sector.
@@ -117,7 +120,7 @@ class Wearer {
   }
 
   [[nodiscard]] bool done() const { return done_; }
-  [[nodiscard]] double speed() const { return walking_ && turn_left_ == 0.0 && now_ >= pause_until_ && now_ >= stairs_until_ ? speed_ : 0.0; }
+  [[nodiscard]] double speed() const { return walking_ && turn_left_ == 0.0 && now_ >= pause_until_ && !away() ? speed_ : 0.0; }
   /// Standing about without a word for long: a wearer asks for the last line again.
   [[nodiscard]] bool asks() {
     const bool busy = walking_ || turn_left_ != 0.0 || slow_turn_ > 0.0 || !todo_.empty() || away();
@@ -125,7 +128,8 @@ class Wearer {
     last_heard_ = now_;
     return true;
   }
-  [[nodiscard]] bool away() const { return now_ < stairs_until_; }
+  [[nodiscard]] bool away() const { return crossing_now_ && now_ < crossing_.ends_s; }
+  [[nodiscard]] const Crossing& crossing() const { return crossing_; }
 
   void hear(const Cue& cue, double now) {
     last_heard_ = now;
@@ -147,7 +151,7 @@ class Wearer {
   void live(double now) {
     now_ = now;
     if (away()) return;
-    if (pending_landing_) land();
+    if (crossing_now_) land();
     while (!todo_.empty() && now >= todo_.front().at && turn_left_ == 0.0) {
       const Act act = todo_.front();
       todo_.pop_front();
@@ -258,21 +262,33 @@ class Wearer {
   }
 
   void ride(const Act& act) {
-    const LevelLink& link = router_.building().links[static_cast<std::size_t>(act.landmark.index)];
+    const auto index = static_cast<std::size_t>(act.landmark.index);
+    const LevelLink& link = router_.building().links[index];
     const bool from_a = body_.room() == link.room_a && distance(body_.pose().position, link.at_a) < 2.0;
     const bool from_b = body_.room() == link.room_b && distance(body_.pose().position, link.at_b) < 2.0;
     walking_ = false;
     if (!from_a && !from_b) return;
-    landing_ = from_a ? Spot{link.room_b, link.at_b} : Spot{link.room_a, link.at_a};
-    pending_landing_ = true;
-    stairs_until_ = now_ + (link.kind == LevelLinkKind::stairs ? 12.0 : 25.0);
+    Crossing& c = crossing_;
+    c.link = index;
+    c.from = body_.room();
+    c.leaving = body_.pose();
+    c.to = from_a ? link.room_b : link.room_a;
+    const Room& here = router_.building().room(c.from);
+    const Room& there = router_.building().room(c.to);
+    const Vec2 at = router_.space(c.to).settle(from_a ? link.at_b : link.at_a, 0.4);
+    // Who has turned on the half-landing or in the cabin comes out facing back.
+    const double turned = kPi + random_.normal(0.0, degrees(15.0));
+    c.arriving = {at, wrap_angle(c.leaving.heading + here.frame.heading - there.frame.heading + turned)};
+    const int storeys = std::max(1, std::abs(there.level - here.level));
+    c.begins_s = now_;
+    c.ends_s = now_ + (link.kind == LevelLinkKind::stairs ? kStorey * storeys : kCabin + kCabinStorey * storeys);
+    crossing_now_ = true;
   }
 
   void land() {
-    pending_landing_ = false;
+    crossing_now_ = false;
     last_heard_ = now_;
-    const Vec2 at = router_.space(landing_.room).settle(landing_.at, 0.4);
-    body_.set(landing_.room, {at, random_.uniform(-kPi, kPi)});
+    body_.set(crossing_.to, crossing_.arriving);
   }
 
   const Router& router_;
@@ -293,9 +309,8 @@ class Wearer {
   double now_ = 0.0;
   double last_heard_ = 0.0;
   double pause_until_ = -1.0;
-  double stairs_until_ = -1.0;
-  bool pending_landing_ = false;
-  Spot landing_;
+  Crossing crossing_;
+  bool crossing_now_ = false;
 };
 
 }  // namespace
@@ -350,8 +365,11 @@ WalkOutcome walk_blindfolded(const Router& router, const Spot& start, double hea
   double last_trace = -1.0;
   for (double now = 0.0; now < limit && !wearer.done(); now += kTick) {
     wearer.live(now);
-    // On stairs no echo fits and nothing new is known.
-    if (!wearer.away()) source.observe(now, body.room(), body.pose(), wearer.speed(), guide);
+    if (wearer.away()) {
+      source.observe_between(now, wearer.crossing(), guide);
+    } else {
+      source.observe(now, body.room(), body.pose(), wearer.speed(), guide);
+    }
     if (wearer.asks()) guide.repeat();
     if (const auto transition = guide.take_level_transition()) source.on_level_transition(*transition);
     Cue cue;

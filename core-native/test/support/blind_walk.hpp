@@ -22,12 +22,25 @@ struct WearerModel {
   double ignore = 0.05;                              ///< Share of the cues that are not taken in.
 };
 
+/// Stairs or an elevator being taken.
+struct Crossing {
+  std::size_t link = 0;   ///< Index into Building::links.
+  RoomIndex from = kNoRoom;
+  Pose2 leaving{};        ///< In the frame of `from`.
+  RoomIndex to = kNoRoom;
+  Pose2 arriving{};       ///< In the frame of `to`.
+  double begins_s = 0.0;
+  double ends_s = 0.0;
+};
+
 /// What stands between the wearer and the guide: the truth with noise, or the whole tracker.
 class PoseSource {
  public:
   virtual ~PoseSource() = default;
   /// The wearer is at `pose` in `room`, walking at `speed`, at `time_s`. Feeds the guide.
   virtual void observe(double time_s, RoomIndex room, const Pose2& pose, double speed, Guide& guide) = 0;
+  /// The wearer is between two levels. By default nothing new is known meanwhile.
+  virtual void observe_between(double /*time_s*/, const Crossing& /*crossing*/, Guide& /*guide*/) {}
   virtual void on_level_transition(const LevelTransition&) {}
 };
 

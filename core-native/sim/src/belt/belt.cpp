@@ -24,6 +24,7 @@ Belt::Belt(const FloorPlan& plan, const BeltConfig& config, std::vector<double> 
       seed_(seed),
       receiver_(world),
       floor_(plan, std::move(footprint), world, seed),
+      between_(world),
       people_(plan, world.people_per_100m2, seed),
       ballasts_(plan, world.bad_ballasts, seed),
       warmer_(unit_from_angle(stream(seed, Stream::air, 0).uniform(0.0, kTwoPi))) {}
@@ -61,18 +62,20 @@ Firing Belt::fire(const Moment& moment, int sensor, std::int64_t index) {
 }
 
 std::optional<double> Belt::measure(const Moment& moment, int number, Random& random) {
-  const View& view = floor_.view_from(moment.room);
+  const bool between = moment.between.present;
+  const View& view = between ? between_.view_from(moment.between) : floor_.view_from(moment.room);
+  const Pose2& pose = moment.heard_from();
   Sensor sensor;
-  sensor.axis = unit_from_angle(moment.pose.heading + bearings_[static_cast<std::size_t>(number)]);
-  sensor.face = moment.pose.position + config_.radius_m * sensor.axis;
-  sensor.wearer = moment.pose.position;
+  sensor.axis = unit_from_angle(pose.heading + bearings_[static_cast<std::size_t>(number)]);
+  sensor.face = pose.position + config_.radius_m * sensor.axis;
+  sensor.wearer = pose.position;
   sensor.girth = std::max(0.0, config_.radius_m - kBeltThickness);
-  sensor.room = view.trace(0, moment.pose.position, sensor.face);
+  sensor.room = view.trace(0, pose.position, sensor.face);
   if (sensor.room < 0) return std::nullopt;  // Pressed against something.
 
   obstacles_.clear();
   add_arms(moment, world_.arms, obstacles_);
-  people_.add(view, moment.time_s, moment.pose.position, obstacles_);
+  if (!between) people_.add(view, moment.time_s, pose.position, obstacles_);
   std::swap(previous_, arrivals_);
   find_arrivals(view, receiver_, world_, sensor, obstacles_, 2.0 * config_.max_range_m, arrivals_);
   const std::vector<Arrival> own = arrivals_;

@@ -5,6 +5,7 @@
 #include "acoustics/echo_paths.hpp"
 #include "belt/ballasts.hpp"
 #include "belt/faults.hpp"
+#include "scene/between_levels.hpp"
 #include "scene/floor_world.hpp"
 #include "scene/passers_by.hpp"
 #include "wearer/trajectory.hpp"
@@ -36,6 +37,7 @@ class Belt {
   std::uint64_t seed_;
   Receiver receiver_;
   FloorWorld floor_;
+  BetweenLevelsViews between_;
   PassersBy people_;
   Ballasts ballasts_;
   SensorFaults faults_;

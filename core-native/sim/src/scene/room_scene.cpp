@@ -90,6 +90,15 @@ void add_bench(const Segment& bench, Random& random, RoomScene& scene) {
 
 }  // namespace
 
+void finish_scene(const World& world, RoomScene& scene) {
+  for (std::size_t i = 0; i < scene.panels.size(); ++i) {
+    for (std::size_t j = i + 1; j < scene.panels.size(); ++j) {
+      add_corners_of(scene.panels[i], scene.panels[j], scene.corners);
+    }
+  }
+  add_edges(world, scene);
+}
+
 RoomScene build_room_scene(const Room& room, const std::vector<Doorway>& doorways, const World& world,
                            const std::vector<Vec2>& kept_free, Random random) {
   RoomScene scene;
@@ -112,12 +121,7 @@ RoomScene build_room_scene(const Room& room, const std::vector<Doorway>& doorway
   }
   add_furniture(room, doorways, world, kept_free, of_furniture, scene);
   for (const Segment& bench : room.reflectors) add_bench(bench, of_benches, scene);
-  for (std::size_t i = 0; i < scene.panels.size(); ++i) {
-    for (std::size_t j = i + 1; j < scene.panels.size(); ++j) {
-      add_corners_of(scene.panels[i], scene.panels[j], scene.corners);
-    }
-  }
-  add_edges(world, scene);
+  finish_scene(world, scene);
   return scene;
 }
 

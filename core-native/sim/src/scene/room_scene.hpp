@@ -43,4 +43,7 @@ struct RoomScene {
 [[nodiscard]] RoomScene build_room_scene(const Room& room, const std::vector<Doorway>& doorways, const World& world,
                                          const std::vector<Vec2>& kept_free, Random random);
 
+/// Adds the corners and edges that the scene's panels make with each other.
+void finish_scene(const World& world, RoomScene& scene);
+
 }  // namespace echoway::sim

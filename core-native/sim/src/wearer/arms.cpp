@@ -15,7 +15,7 @@ void add_arms(const Moment& moment, double share, std::vector<Obstacle>& obstacl
   if (habit >= share) return;
   const double swing = kSwingPerSpeed * std::min(1.0, moment.speed) * std::sin(moment.stride);
   for (const double side : {-1.0, 1.0}) {
-    obstacles.push_back({moment.pose.transform({side * swing - 0.02, side * kAside}), kThick, kSkin});
+    obstacles.push_back({moment.heard_from().transform({side * swing - 0.02, side * kAside}), kThick, kSkin});
   }
 }
 

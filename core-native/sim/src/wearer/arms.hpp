@@ -7,7 +7,7 @@
 
 namespace echoway::sim {
 
-/// The wearer's arms where they swing beside the belt, in the frame of the wearer's room. `share` of the time they do;
+/// The wearer's arms where they swing beside the belt, in the frame of the wearer's view. `share` of the time they do;
 /// else the hands are up (a phone, a cane) and out of the beams.
 void add_arms(const Moment& moment, double share, std::vector<Obstacle>& obstacles);
 

@@ -1,6 +1,7 @@
 #include "wearer/trajectory.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "echoway/geometry/inclusion.hpp"
@@ -15,8 +16,9 @@ constexpr double kStandAndTurn = degrees(50.0);  // Beyond this the wearer stops
 constexpr double kTurnPerStep = degrees(50.0);   // Of a wearer who turns on the spot.
 constexpr double kAcceleration = 0.8;            // m/s^2
 constexpr double kSpeedMemory = 4.0;             // s, correlation time of slow speed changes.
-constexpr double kStairs = 12.0;                 // s from one level to the next.
-constexpr double kElevator = 15.0;
+constexpr double kCabinComes = 8.0;              // s before an elevator's door,
+constexpr double kCabinDoor = 3.0;               // until it has shut or opened,
+constexpr double kCabinStorey = 3.0;             // and a storey.
 constexpr double kLongest = 3.0 * 3600.0;  // s; a longer walk is a slip of the pen, and fills the memory.
 
 }  // namespace
@@ -132,10 +134,61 @@ class Walker {
       trajectory_.doors_used_.insert(doorway.door);
     } else {
       const LevelLink& link = plan_.building().links[static_cast<std::size_t>(passage.link)];
-      stand(link.kind == LevelLinkKind::stairs ? kStairs : kElevator);
-      body_ = {passage.arrive_at, wrap_angle(body_.heading + frame_heading(room_) - frame_heading(passage.to))};
+      change_level(link, passage);
     }
     room_ = passage.to;
+  }
+
+  void change_level(const LevelLink& link, const Passage& passage) {
+    const int levels = plan_.building().room(passage.to).level - plan_.building().room(room_).level;
+    const int storeys = std::max(1, std::abs(levels));
+    const double turn = frame_heading(room_) - frame_heading(passage.to);
+    ends_ = {{{room_, body_}, {passage.to, {passage.arrive_at, body_.heading + turn}}}};
+    speed_ = turn_rate_ = 0.0;
+    between_.kind = link.kind;
+    between_.hand = passage.link % 2 == 0 ? 1 : -1;
+    if (link.kind == LevelLinkKind::stairs) {
+      climb(levels >= 0, storeys);
+    } else {
+      ride(storeys);
+    }
+    const double heading = ends_[1].pose.heading + body_.heading;
+    between_.present = false;
+    body_ = {passage.arrive_at, wrap_angle(heading)};
+  }
+
+  // Up or down, two flights a storey; over a landing into the next two.
+  void climb(bool up, int storeys) {
+    body_ = {stairs::path(up, between_.hand).front(), 0.0};
+    between_.present = true;
+    const double cruise = cruise_;
+    for (int storey = 0; storey < storeys; ++storey) {
+      end_ = 2 * storey >= storeys ? 1 : 0;
+      if (storey > 0) {
+        for (const Vec2 point : stairs::landing(up, between_.hand)) walk_to(point);
+      }
+      for (const Vec2 point : stairs::path(up, between_.hand)) {
+        const bool flight = stairs::on_flight(0.5 * (body_.position + point));
+        if (!flight && storeys == 1 && point.x > stairs::kRun) end_ = 1;
+        cruise_ = flight ? std::min(cruise, stairs::kCadence * stairs::kGoing) : cruise;
+        step_length_ = flight ? stairs::kGoing : world_.step_length_m;
+        walk_to(point);
+      }
+    }
+    cruise_ = cruise;
+    step_length_ = world_.step_length_m;
+  }
+
+  // Waits, steps in, turns round to the door and is carried.
+  void ride(int storeys) {
+    stand(kCabinComes);
+    body_ = {};
+    between_.present = true;
+    end_ = 0;
+    turn(kPi);
+    stand(kCabinDoor + 0.5 * kCabinStorey * storeys);
+    end_ = 1;
+    stand(kCabinDoor + 0.5 * kCabinStorey * storeys);
   }
 
   void stand(double seconds) {
@@ -177,7 +230,7 @@ class Walker {
       body_.position = body_.position + (moved / left) * ahead;
     }
     // Feet that turn on the spot step as well, and the step detector cannot tell.
-    stride_ += std::max(kPi * moved / world_.step_length_m, kPi * std::abs(turn_rate_) * dt / kTurnPerStep);
+    stride_ += std::max(kPi * moved / step_length_, kPi * std::abs(turn_rate_) * dt / kTurnPerStep);
     time_ += dt;
     record();
   }
@@ -187,13 +240,21 @@ class Walker {
     const double gait = std::min(1.0, speed_ / 0.4);
     const double sway = gait * world_.yaw_sway_rad * std::sin(stride_);
     const double aside = gait * world_.side_sway_m * std::sin(stride_ + 0.6);
+    const Pose2 chest{body_.position + aside * perpendicular(unit_from_angle(body_.heading)),
+                      wrap_angle(body_.heading + sway)};
     Moment moment;
     moment.time_s = time_;
     moment.room = room_;
-    moment.pose.heading = wrap_angle(body_.heading + sway);
-    moment.pose.position = body_.position + aside * perpendicular(unit_from_angle(body_.heading));
+    moment.pose = chest;
+    if (between_.present) {
+      const LinkEnd& end = ends_[end_];
+      moment.room = end.room;
+      moment.pose = {end.pose.position, wrap_angle(end.pose.heading + chest.heading)};
+      moment.between = between_;
+      moment.between.pose = chest;
+    }
     moment.yaw = yaw_ + sway;
-    moment.heading = wrap_angle(moment.pose.heading + frame_heading(room_));
+    moment.heading = wrap_angle(moment.pose.heading + frame_heading(moment.room));
     moment.speed = speed_;
     moment.stride = stride_;
     trajectory_.samples_.push_back(moment);
@@ -207,7 +268,16 @@ class Walker {
   std::set<std::size_t> shut_;
   const Action* action_ = nullptr;
   RoomIndex room_ = kNoRoom;
-  Pose2 body_{};
+  Pose2 body_{};  // In the room's frame; between levels in that of the stairs or the cabin.
+  double step_length_ = world_.step_length_m;
+  // Of stairs or an elevator: where it is left and where it leads, with the heading that its own frame has there.
+  struct LinkEnd {
+    RoomIndex room = kNoRoom;
+    Pose2 pose{};
+  };
+  std::array<LinkEnd, 2> ends_{};
+  std::size_t end_ = 0;
+  BetweenLevels between_{};
   double time_ = 0.0;
   double yaw_ = 0.0;
   double turn_rate_ = 0.0;
@@ -236,12 +306,18 @@ Moment Trajectory::at(double time_s) const {
   const Moment& a = samples_[i];
   const Moment& b = samples_[std::min(i + 1, last)];
   const double f = position - static_cast<double>(i);
-  const bool jump = a.room != b.room || distance(a.pose.position, b.pose.position) > 0.1;
+  const bool jump = a.room != b.room || distance(a.pose.position, b.pose.position) > 0.1 ||
+                    a.between.present != b.between.present ||
+                    distance(a.between.pose.position, b.between.pose.position) > 0.1;
   Moment moment = jump && f >= 0.5 ? b : a;
   moment.time_s = time_s;
   if (jump) return moment;
   moment.pose.position = a.pose.position + f * (b.pose.position - a.pose.position);
   moment.pose.heading = wrap_angle(a.pose.heading + f * wrap_angle(b.pose.heading - a.pose.heading));
+  moment.between.pose.position =
+      a.between.pose.position + f * (b.between.pose.position - a.between.pose.position);
+  moment.between.pose.heading =
+      wrap_angle(a.between.pose.heading + f * wrap_angle(b.between.pose.heading - a.between.pose.heading));
   moment.yaw += f * (b.yaw - a.yaw);
   moment.heading = wrap_angle(a.heading + f * wrap_angle(b.heading - a.heading));
   moment.stride += f * (b.stride - a.stride);

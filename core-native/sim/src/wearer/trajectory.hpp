@@ -6,6 +6,7 @@
 #include "echoway/result.hpp"
 #include "echoway/sim/walk.hpp"
 #include "plan/floor_plan.hpp"
+#include "scene/between_levels.hpp"
 
 namespace echoway::sim {
 
@@ -18,6 +19,10 @@ struct Moment {
   double heading = 0.0;  ///< The chest's heading in the level's frame.
   double speed = 0.0;
   double stride = 0.0;  ///< Phase of the gait, radians; a step is half a turn.
+  BetweenLevels between{};  ///< On stairs or in an elevator; `room` and `pose` then are those of the nearer end.
+
+  /// Axis and chest in the frame of what can be heard.
+  [[nodiscard]] const Pose2& heard_from() const noexcept { return between.present ? between.pose : pose; }
 };
 
 /// Something that happens to the belt or the building while the wearer walks.
