@@ -1,6 +1,7 @@
 plugins {
     alias(libs.plugins.android.application)
     alias(libs.plugins.compose.compiler)
+    alias(libs.plugins.kotlin.serialization)
 }
 
 android {
@@ -69,10 +70,13 @@ dependencies {
     implementation(libs.lifecycle.service)
     implementation(libs.lifecycle.viewmodel.compose)
     implementation(libs.material3)
+    implementation(libs.media3.session)
+    implementation(libs.navigation.compose)
     implementation(libs.usb.serial)
 
     debugImplementation(libs.compose.ui.test.manifest)
 
+    testImplementation(libs.accessibility.test.framework)
     testImplementation(libs.androidx.test.core)
     testImplementation(libs.androidx.test.junit)
     testImplementation(libs.compose.ui.test.junit4)

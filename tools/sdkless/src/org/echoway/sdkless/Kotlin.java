@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The Kotlin compiler with Compose's plugin. */
+/** The Kotlin compiler with the plugins for Compose and for serialization (typed routes). */
 final class Kotlin {
     static final String COMPILER = "org.jetbrains.kotlin.cli.jvm.K2JVMCompiler";
     private final Workspace workspace;
@@ -20,10 +20,11 @@ final class Kotlin {
         List<Path> files = new ArrayList<>();
         for (Path folder : sources) files.addAll(Tree.files(folder, ".kt"));
         if (files.isEmpty()) throw new BuildFailure("no Kotlin sources in " + sources);
-        Path plugin = workspace.file("kotlin", "org.jetbrains.kotlin:kotlin-compose-compiler-plugin-embeddable");
+        Path compose = workspace.file("kotlin", "org.jetbrains.kotlin:kotlin-compose-compiler-plugin-embeddable");
+        Path serialization = workspace.file("kotlin", "org.jetbrains.kotlin:kotlin-serialization-compiler-plugin-embeddable");
 
         List<String> arguments = new ArrayList<>(List.of("-no-stdlib", "-no-reflect", "-jvm-target", "17", "-Werror",
-                "-module-name", name, "-Xplugin=" + plugin, "-classpath", Exec.join(classPath), "-d", output.toString()));
+                "-module-name", name, "-Xplugin=" + compose, "-Xplugin=" + serialization, "-classpath", Exec.join(classPath), "-d", output.toString()));
         if (!friends.isEmpty()) arguments.add("-Xfriend-paths=" + Exec.join(friends).replace(':', ','));
         files.forEach(file -> arguments.add(file.toString()));
 

@@ -64,7 +64,7 @@ final class Resources {
         Files.writeString(named, Files.readString(source).replaceFirst("<manifest ", "<manifest package=\"" + Layout.PACKAGE + "\" "));
         String libraries = aars.stream().map(aar -> aar.resolve("AndroidManifest.xml").toString()).collect(Collectors.joining(":"));
         List<String> arguments = new ArrayList<>(List.of("--main", named.toString(), "--libs", libraries, "--out", manifest().toString(),
-                "--log", "WARNING"));
+                "--log", "WARNING", "--remove-tools-declarations"));
         for (String property : List.of("PACKAGE=" + Layout.PACKAGE, "MIN_SDK_VERSION=" + MIN_SDK,
                 "TARGET_SDK_VERSION=" + TARGET_SDK, "VERSION_CODE=1", "VERSION_NAME=" + VERSION_NAME)) {
             arguments.addAll(List.of("--property", property));

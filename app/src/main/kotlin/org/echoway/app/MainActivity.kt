@@ -22,7 +22,6 @@ import kotlinx.coroutines.launch
 import org.echoway.app.service.NavigationService
 import org.echoway.app.settings.SourceKind
 import org.echoway.app.ui.ActivityActions
-import org.echoway.app.ui.EchowayTheme
 import org.echoway.app.ui.EchowayUi
 import org.echoway.app.ui.setup.SetupViewModel
 
@@ -39,9 +38,7 @@ class MainActivity : ComponentActivity() {
         super.onCreate(savedInstanceState)
         enableEdgeToEdge()
         setContent {
-            EchowayTheme {
-                EchowayUi(container, setup, ActivityActions(start = ::start, stop = ::stop) { recording.launch(LOG_TYPES) })
-            }
+            EchowayUi(container, setup, ActivityActions(start = ::start, stop = ::stop) { recording.launch(LOG_TYPES) })
         }
         if (savedInstanceState == null) onUsbAttached(intent)
     }

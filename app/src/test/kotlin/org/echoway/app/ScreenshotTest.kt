@@ -10,6 +10,7 @@ import com.github.takahirom.roborazzi.captureRoboImage
 import kotlinx.coroutines.runBlocking
 import org.echoway.app.building.BundledBuildings
 import org.echoway.app.settings.SourceKind
+import org.echoway.app.settings.ThemeChoice
 import org.echoway.app.testing.SamplePlan
 import org.echoway.app.ui.EchowayTheme
 import org.echoway.app.ui.live.LiveActions
@@ -35,12 +36,12 @@ class ScreenshotTest {
     private val plan by lazy { runBlocking { BundledBuildings(context, 1).find("torgersen-lab")!!.plan } }
 
     private fun shoot(name: String, dark: Boolean = false, screen: @Composable () -> Unit) {
-        rule.setContent { EchowayTheme(dark, screen) }
+        rule.setContent { EchowayTheme(if (dark) ThemeChoice.DARK else ThemeChoice.LIGHT, screen) }
         rule.onRoot().captureRoboImage(System.getProperty("echoway.root")!! + "/app/screenshots/$name.png")
     }
 
     private fun live(name: String, state: LiveUiState, dark: Boolean = false) =
-        shoot(name, dark) { LiveScreen(state, LiveActions({}, {}, {}, {})) }
+        shoot(name, dark) { LiveScreen(state, LiveActions({}, {}, {}, {}, {})) }
 
     private fun tracking() = LiveUiState.On(
         building = plan.name,

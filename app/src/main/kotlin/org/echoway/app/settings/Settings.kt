@@ -5,12 +5,14 @@ import androidx.datastore.preferences.core.Preferences
 import androidx.datastore.preferences.core.booleanPreferencesKey
 import androidx.datastore.preferences.core.edit
 import androidx.datastore.preferences.core.emptyPreferences
+import androidx.datastore.preferences.core.intPreferencesKey
 import androidx.datastore.preferences.core.stringPreferencesKey
 import java.io.IOException
 import kotlinx.coroutines.flow.Flow
 import kotlinx.coroutines.flow.catch
 import kotlinx.coroutines.flow.map
 import org.echoway.core.DirectionStyle
+import org.echoway.core.Language
 import org.echoway.core.LengthStyle
 
 /** Where echoes come from. */
@@ -36,6 +38,18 @@ enum class Verbosity {
     FULL,
 }
 
+/** The screen's colours. */
+enum class ThemeChoice {
+    /** Light or dark, as the phone's other screens are. */
+    SYSTEM,
+    LIGHT,
+    DARK,
+    HIGH_CONTRAST,
+
+    /** Amber on black: little light of one's own thrown back by smoke. */
+    SMOKE,
+}
+
 /**
  * What the wearer chose.
  *
@@ -45,6 +59,12 @@ enum class Verbosity {
  * @property navigating whether guidance was on when the app was last alive, so that it goes on after its death
  * @property avoidStairs take stairs only when nothing else leads there
  * @property firefighter show the one large screen, and watch for a wearer who does not move
+ * @property notMovedAlertS seconds without a movement until the firefighter screen's alert; 0 for never
+ * @property language of voice and screen; null for the phone's own
+ * @property vibration whether guidance is felt as well as heard
+ * @property motion whether the phone's own sensors help to locate
+ * @property volumeKeys whether the volume keys ask and repeat while the app is shown
+ * @property record whether walks are recorded
  * @property introduced the first run's steps were heard or skipped
  */
 data class Settings(
@@ -59,8 +79,20 @@ data class Settings(
     val lengths: LengthStyle = LengthStyle.FEET,
     val avoidStairs: Boolean = false,
     val firefighter: Boolean = false,
+    val notMovedAlertS: Int = DEFAULT_ALERT_S,
+    val language: Language? = null,
+    val theme: ThemeChoice = ThemeChoice.SYSTEM,
+    val vibration: Boolean = true,
+    val motion: Boolean = true,
+    val volumeKeys: Boolean = true,
+    val record: Boolean = false,
     val introduced: Boolean = false,
-)
+) {
+    companion object {
+        /** What firefighters' own motion alarms wait for. */
+        const val DEFAULT_ALERT_S = 30
+    }
+}
 
 /** Settings that outlive the app's process. */
 interface SettingsStore {
@@ -88,6 +120,13 @@ class DataStoreSettings(private val store: DataStore<Preferences>) : SettingsSto
             preferences[LENGTHS] = changed.lengths.name
             preferences[AVOID_STAIRS] = changed.avoidStairs
             preferences[FIREFIGHTER] = changed.firefighter
+            preferences[NOT_MOVED_ALERT_S] = changed.notMovedAlertS
+            preferences.put(LANGUAGE, changed.language?.name)
+            preferences[THEME] = changed.theme.name
+            preferences[VIBRATION] = changed.vibration
+            preferences[MOTION] = changed.motion
+            preferences[VOLUME_KEYS] = changed.volumeKeys
+            preferences[RECORD] = changed.record
             preferences[INTRODUCED] = changed.introduced
         }
     }
@@ -104,6 +143,13 @@ class DataStoreSettings(private val store: DataStore<Preferences>) : SettingsSto
         lengths = preferences.choice(LENGTHS, LengthStyle.FEET),
         avoidStairs = preferences[AVOID_STAIRS] ?: false,
         firefighter = preferences[FIREFIGHTER] ?: false,
+        notMovedAlertS = preferences[NOT_MOVED_ALERT_S] ?: Settings.DEFAULT_ALERT_S,
+        language = preferences[LANGUAGE]?.let { name -> Language.entries.firstOrNull { it.name == name } },
+        theme = preferences.choice(THEME, ThemeChoice.SYSTEM),
+        vibration = preferences[VIBRATION] ?: true,
+        motion = preferences[MOTION] ?: true,
+        volumeKeys = preferences[VOLUME_KEYS] ?: true,
+        record = preferences[RECORD] ?: false,
         introduced = preferences[INTRODUCED] ?: false,
     )
 
@@ -127,6 +173,13 @@ class DataStoreSettings(private val store: DataStore<Preferences>) : SettingsSto
         val LENGTHS = stringPreferencesKey("lengths")
         val AVOID_STAIRS = booleanPreferencesKey("avoid stairs")
         val FIREFIGHTER = booleanPreferencesKey("firefighter")
+        val NOT_MOVED_ALERT_S = intPreferencesKey("not moved alert s")
+        val LANGUAGE = stringPreferencesKey("language")
+        val THEME = stringPreferencesKey("theme")
+        val VIBRATION = booleanPreferencesKey("vibration")
+        val MOTION = booleanPreferencesKey("motion")
+        val VOLUME_KEYS = booleanPreferencesKey("volume keys")
+        val RECORD = booleanPreferencesKey("record")
         val INTRODUCED = booleanPreferencesKey("introduced")
     }
 }

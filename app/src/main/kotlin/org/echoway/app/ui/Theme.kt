@@ -6,6 +6,7 @@ import androidx.compose.material3.darkColorScheme
 import androidx.compose.material3.lightColorScheme
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.graphics.Color
+import org.echoway.app.settings.ThemeChoice
 
 /** Blue on near-black or near-white: contrast of text and marks is 7:1 or better, and no hue carries meaning alone. */
 private val Light = lightColorScheme(
@@ -13,6 +14,8 @@ private val Light = lightColorScheme(
     onPrimary = Color.White,
     primaryContainer = Color(0xFFCFE2FF),
     onPrimaryContainer = Color(0xFF001B3D),
+    secondaryContainer = Color(0xFFCFE2FF),
+    onSecondaryContainer = Color(0xFF001B3D),
     tertiary = Color(0xFFA33B00),
     background = Color(0xFFFCFCFF),
     surface = Color(0xFFFCFCFF),
@@ -29,6 +32,8 @@ private val Dark = darkColorScheme(
     onPrimary = Color(0xFF00254D),
     primaryContainer = Color(0xFF0A3A70),
     onPrimaryContainer = Color(0xFFD6E6FF),
+    secondaryContainer = Color(0xFF0A3A70),
+    onSecondaryContainer = Color(0xFFD6E6FF),
     tertiary = Color(0xFFFFB68C),
     background = Color(0xFF0B0D10),
     surface = Color(0xFF0B0D10),
@@ -40,7 +45,56 @@ private val Dark = darkColorScheme(
     error = Color(0xFFFFB4AB),
 )
 
+/** Black, white and one yellow: 21:1 for text, and marks that need no shade to be told apart. */
+private val HighContrast = darkColorScheme(
+    primary = Color(0xFFFFEB3B),
+    onPrimary = Color.Black,
+    primaryContainer = Color(0xFF4A4200),
+    onPrimaryContainer = Color.White,
+    secondaryContainer = Color(0xFF4A4200),
+    onSecondaryContainer = Color.White,
+    tertiary = Color(0xFF00E5FF),
+    background = Color.Black,
+    onBackground = Color.White,
+    surface = Color.Black,
+    onSurface = Color.White,
+    surfaceVariant = Color(0xFF1A1A1A),
+    onSurfaceVariant = Color.White,
+    outline = Color.White,
+    outlineVariant = Color.White,
+    error = Color(0xFFFFB4AB),
+    onError = Color.Black,
+)
+
+/** Amber on black: smoke throws blue light back at the reader, and white light most of it. */
+private val Smoke = darkColorScheme(
+    primary = Color(0xFFFFB300),
+    onPrimary = Color.Black,
+    primaryContainer = Color(0xFF4D3300),
+    onPrimaryContainer = Color(0xFFFFD27A),
+    secondaryContainer = Color(0xFF4D3300),
+    onSecondaryContainer = Color(0xFFFFD27A),
+    tertiary = Color(0xFFFF7A5C),
+    background = Color.Black,
+    onBackground = Color(0xFFFFC14D),
+    surface = Color.Black,
+    onSurface = Color(0xFFFFC14D),
+    surfaceVariant = Color(0xFF1F1500),
+    onSurfaceVariant = Color(0xFFFFC14D),
+    outline = Color(0xFFFFB300),
+    outlineVariant = Color(0xFFFFB300),
+    error = Color(0xFFFF8A80),
+    onError = Color.Black,
+)
+
 @Composable
-fun EchowayTheme(dark: Boolean = isSystemInDarkTheme(), content: @Composable () -> Unit) {
-    MaterialTheme(colorScheme = if (dark) Dark else Light, content = content)
+fun EchowayTheme(theme: ThemeChoice = ThemeChoice.SYSTEM, content: @Composable () -> Unit) {
+    val scheme = when (theme) {
+        ThemeChoice.SYSTEM -> if (isSystemInDarkTheme()) Dark else Light
+        ThemeChoice.LIGHT -> Light
+        ThemeChoice.DARK -> Dark
+        ThemeChoice.HIGH_CONTRAST -> HighContrast
+        ThemeChoice.SMOKE -> Smoke
+    }
+    MaterialTheme(colorScheme = scheme, content = content)
 }

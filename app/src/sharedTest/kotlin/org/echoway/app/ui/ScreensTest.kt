@@ -35,7 +35,7 @@ class ScreensTest {
 
     private fun live(state: LiveUiState) = rule.setContent {
         EchowayTheme {
-            LiveScreen(state, LiveActions({ done += "where" }, { done += "start" }, { done += "stop" }, { done += "setup" }))
+            LiveScreen(state, LiveActions({ done += "where" }, { done += "start" }, { done += "stop" }, { done += "setup" }, { done += "menu" }))
         }
     }
 
@@ -65,7 +65,8 @@ class ScreensTest {
         rule.onNodeWithText("Door right, six feet.").assertIsDisplayed()
         rule.onNodeWithText("Where am I?").assertHeightIsAtLeast(100.dp).performClick()
         rule.onNodeWithText("Stop").assertHeightIsAtLeast(48.dp).performClick()
-        assertEquals(listOf("where", "stop"), done)
+        rule.onNodeWithText("Menu").assertHeightIsAtLeast(48.dp).performClick()
+        assertEquals(listOf("where", "stop", "menu"), done)
     }
 
     @Test fun aPhoneWithoutAVoiceSaysSoOnTheScreen() {

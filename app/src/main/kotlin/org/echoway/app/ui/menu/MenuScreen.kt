@@ -1,0 +1,22 @@
+package org.echoway.app.ui.menu
+
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.res.stringResource
+import org.echoway.app.R
+import org.echoway.app.ui.Route
+import org.echoway.app.ui.common.Action
+import org.echoway.app.ui.common.Screen
+
+/** Where the menu leads, in its order. */
+private val ENTRIES = listOf(
+    R.string.setup to Route.Setup,
+    R.string.settings to Route.Settings,
+)
+
+/** The way to every other screen. */
+@Composable
+fun MenuScreen(onOpen: (Route) -> Unit, onBack: () -> Unit) {
+    Screen(stringResource(R.string.menu), onBack) {
+        ENTRIES.forEach { (title, route) -> Action(stringResource(title)) { onOpen(route) } }
+    }
+}
