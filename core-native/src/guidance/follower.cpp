@@ -1,6 +1,7 @@
 #include "guidance/follower.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "guidance/surroundings.hpp"
@@ -17,12 +18,54 @@ constexpr double kAtHand = 0.8;
 /// Nearer to a door's wall than this, a doorway can be entered only from at most so far off its axis, metres.
 constexpr double kNearWall = 0.7;
 constexpr double kAside = 0.2;
+/// From the chest's middle to where a wall is brushed, metres.
+constexpr double kShoulder = 0.2;
 /// Too near to be headed for, metres.
 constexpr double kTooNear = 0.35;
 /// A wearer who is to go straight is put right first if they face this far off.
 constexpr double kFacingWell = degrees(9.0);
+/// Less than this is no use saying, whatever it leads to.
+constexpr double kWorthBending = degrees(4.0);
 /// Beside the middle of a doorway by this much still goes through, metres.
 constexpr double kDoorMiss = 0.18;
+
+/// Who is to walk on must not have a wall before them as near as this, metres.
+constexpr double kFaceWall = 0.65;
+/// How ill a turn is made.
+constexpr double kWobble = degrees(8.0);
+/// What walkers who were told the same may be apart in time, seconds: at first, and once their reaction is known.
+constexpr double kStranger = 0.35;
+constexpr double kAcquaintance = 0.15;
+
+/// What wearers make of a direction that they are told by sides: its sector's middle.
+double understood(double direction) noexcept {
+  const double side = direction > 0.0 ? 1.0 : -1.0;
+  switch (sector_of(direction)) {
+    case Sector::ahead:
+      return 0.0;
+    case Sector::slightly_left:
+    case Sector::slightly_right:
+      return side * degrees(32.0);
+    case Sector::left:
+    case Sector::right:
+      return side * degrees(85.0);
+    case Sector::sharp_left:
+    case Sector::sharp_right:
+      return side * degrees(140.0);
+    case Sector::behind:
+      break;
+  }
+  return kPi;
+}
+
+/// The direction to tell for a turn of `off`: "left" is understood as a right angle, so that a little more than half of
+/// one is better told as "slightly left".
+double told(double off) noexcept {
+  constexpr double kMiddle = degrees(58.0);
+  const double most_slight = degrees(45.0);
+  const bool between = std::abs(off) > most_slight && std::abs(off) < kMiddle;
+  return between ? std::copysign(most_slight, off) : off;
+}
 
 double heading_of(Vec2 from, Vec2 to) { return std::atan2(to.y - from.y, to.x - from.x); }
 
@@ -58,14 +101,87 @@ void Follower::stop() {
   arrived_at_ = -1.0;
   suspended_until_ = -1e300;
   landing_ = kNoRoom;
+  bound_for_.room = kNoRoom;
+}
+
+double Follower::lead(const View& view, const Cue& cue) const noexcept {
+  return view.speed * (spoken_seconds(cue, *config_) + reaction_s_);
+}
+
+/// A turn has been told: look how long it takes until it is made.
+void Follower::time_reaction(const View& view, const Cue& cue) noexcept {
+  const double direction = cue.tail.present ? cue.tail.direction : cue.direction;
+  if (std::abs(direction) < degrees(45.0) || (cue.tail.present && cue.tail.kind != CueKind::turn)) return;
+  turn_told_until_ = view.now + spoken_seconds(cue, *config_);
+  turn_told_from_ = view.estimate->pose.heading;
+  turn_told_left_ = direction > 0.0;
+}
+
+void Follower::learn_reaction(const Estimate& e) noexcept {
+  if (turn_told_until_ < 0.0) return;
+  constexpr double kSeen = degrees(25.0);    // turned by this much, the turn has begun
+  constexpr double kSeenAfter = 0.28;        // which takes this long, s
+  constexpr double kTooLong = 3.0;           // it was not taken in
+  constexpr int kTrust = 6;
+  const double after = e.time_s - turn_told_until_;
+  const double turned = wrap_angle(e.pose.heading - turn_told_from_);
+  if (after > kTooLong) turn_told_until_ = -1.0;
+  if ((turn_told_left_ ? turned : -turned) < kSeen) return;
+  turn_told_until_ = -1.0;
+  reactions_ = std::min(reactions_ + 1, kTrust);
+  reaction_s_ += (std::clamp(after - kSeenAfter, 0.2, 2.0) - reaction_s_) / (reactions_ + 1.0);
+}
+
+/// True when a wearer who does as `cue` says, where and when they will come to it, faces no wall within `needed` metres.
+bool Follower::clear_ahead(const View& view, const Cue& cue, double direction, double needed) const noexcept {
+  const Pose2& pose = view.estimate->pose;
+  const FreeSpace& space = router_->space(view.estimate->room);
+  const double spread = reactions_ < 2 ? kStranger : kAcquaintance;
+  const Vec2 ahead = unit_from_angle(pose.heading);
+  const double play = spread * view.speed + 1.5 * std::min(view.estimate->sigma_m, 0.2);
+  const double until_wall = std::max(0.0, space.reach(pose.position, ahead, 10.0) - config_->body_m);
+  const double due = lead(view, cue);
+  // Here too: somebody who touches a wall meanwhile stands still and does it there.
+  for (const double on : {due - play, due + play, 0.0}) {
+    const Vec2 there = pose.position + std::min(on, until_wall) * ahead;
+    for (const double wobble : {-kWobble, kWobble}) {
+      const double way = pose.heading + understood(direction) + wobble;
+      if (space.reach(there, unit_from_angle(way), needed) < needed) return false;
+    }
+  }
+  return true;
+}
+
+/// True when a walker who goes on like this brushes a wall before the next point, though the way to it is clear.
+bool Follower::grazes(const View& view) const noexcept {
+  const Pose2& pose = view.estimate->pose;
+  const FreeSpace& space = router_->space(view.estimate->room);
+  const double far = std::min(view.target_away, view.speed * config_->contradiction_gap_s);
+  const Vec2 ahead = unit_from_angle(pose.heading);
+  for (const double side : {-1.0, 1.0}) {
+    const Vec2 shoulder = pose.position + side * kShoulder * perpendicular(ahead);
+    // A bend away from the wall that is brushed, not towards it.
+    if (side * view.off < 0.0 && space.reach(shoulder, ahead, far) < far) return true;
+  }
+  return false;
 }
 
 std::optional<LevelTransition> Follower::take_transition() noexcept { return std::exchange(transition_, std::nullopt); }
 
+/// The door or stairs of the way so far, while the wearer is in the same room.
+BoundFor Follower::bound_for(const Estimate& e) const {
+  for (const Waypoint& w : route_.waypoints) {
+    const bool out = w.kind == WaypointKind::door || w.kind == WaypointKind::link_from;
+    if (w.room == e.room && out) return {w.kind, w.index, config_->other_way_m + 2.0 * std::min(e.sigma_m, 1.0)};
+    if (out) break;
+  }
+  return {};
+}
+
 bool Follower::find_way(const Estimate& e) {
   const Spot here{e.room, e.pose.position};
   if (mode_ == Mode::tree) {
-    if (!router_->route_from(here, tree_, route_)) return false;
+    if (!router_->route_from(here, tree_, route_, bound_for(e))) return false;
   } else {
     Result<Route> back = router_->retrace(here, crumbs_);
     if (!back) return false;
@@ -125,9 +241,46 @@ bool Follower::in_reach(const Estimate& e, Vec2 at) const {
   return false;
 }
 
+/// Close before a doorway and beside its middle: straight at the middle and on, if the frame leaves room for that.
+std::optional<Vec2> Follower::slant_through_door(const Estimate& e, bool begun) const {
+  if (line_.size() < 2) return std::nullopt;
+  const auto door = std::find_if(line_.begin(), line_.end(), [](const LinePoint& p) { return p.kind == WaypointKind::door; });
+  if (door == line_.end()) return std::nullopt;
+  for (const Passage& p : router_->space(e.room).passages()) {
+    if (p.door != door->index || p.inward == Vec2{}) continue;
+    const Vec2 from = e.pose.position - p.centre;
+    const double before = dot(from, p.inward);
+    const double aside = std::abs(dot(from, perpendicular(p.inward)));
+    const double width = router_->building().doors[static_cast<std::size_t>(p.door)].width;
+    const double away = norm(from);
+    // Given up later than it is taken up.
+    const double slack = begun ? 1.25 : 1.0;
+    const bool near = before * slack >= 0.12 && before <= kNearWall * slack && aside <= 0.5 * width * slack;
+    if (!near || width * before * slack < 2.0 * config_->body_m * away) return std::nullopt;
+    // So close, a small error of position is a large one of direction: whoever faces the opening anyhow may walk on.
+    const Vec2 ahead = unit_from_angle(e.pose.heading);
+    const double slope = -dot(ahead, p.inward);
+    constexpr double kNotTooSlant = 0.6;  // cosine
+    if (slope > kNotTooSlant) {
+      const double on = before / slope;
+      const double beside = std::abs(dot(from + on * ahead, perpendicular(p.inward)));
+      if (beside + 0.2 + std::min(e.sigma_m, 0.2) < 0.5 * width * slack) return e.pose.position + (on + 0.35) * ahead;
+    }
+    return p.centre - (0.35 / away) * from;
+  }
+  return std::nullopt;
+}
+
+bool Follower::still_bound_for(const Estimate& e) const {
+  constexpr double kThere = 0.3;
+  constexpr double kLongest = 20.0;
+  return bound_for_.room == e.room && e.time_s - bound_since_ < kLongest && !new_way_ &&
+         distance(e.pose.position, bound_for_.at) > kThere && in_reach(e, bound_for_.at);
+}
+
 void Follower::aim(View& view) {
   const Estimate& e = *view.estimate;
-  const double lead = view.speed * (spoken_seconds(make_cue(CueKind::turn), *config_) + config_->reaction_s);
+  const double lead = this->lead(view, make_cue(CueKind::turn));
   // Head for the next turn or the spot before the next door; when that is at hand, for a spot beyond it.
   double door_along = 1e9;
   double along = 0.0;
@@ -157,6 +310,15 @@ void Follower::aim(View& view) {
   if (beyond && !through) {
     const double back = view.turn.present ? std::min(view.turn.distance, door_along) : to_door;
     if (back > kTooNear) view.target = point_along(line_, back);
+  }
+  const auto slant = slanting_ || (beyond && !through) ? slant_through_door(e, slanting_) : std::nullopt;
+  slanting_ = slant.has_value();
+  if (slanting_) {
+    view.target = *slant;
+  } else if (still_bound_for(e)) {
+    view.target = bound_for_.at;
+  } else {
+    bound_for_.room = kNoRoom;
   }
   through_ = through;
   view.target_away = distance(e.pose.position, view.target);
@@ -189,6 +351,7 @@ bool Follower::on_stairs(const Estimate& e) noexcept {
 }
 
 void Follower::update(const Estimate& e, bool vague, Announcer& voice) {
+  learn_reaction(e);
   const bool sent_off = landing_ != kNoRoom;
   if (!active() || e.time_s < next_look_ || on_stairs(e)) return;
   if (sent_off) voice.forget_instruction();
@@ -230,10 +393,11 @@ bool Follower::arrive(const View& view, Announcer& voice) {
   const Estimate& e = *view.estimate;
   if (goal.room != e.room) return false;
   Cue cue = goal_cue(CueKind::arrived);
-  const double lead = view.speed * (spoken_seconds(cue, *config_) + config_->reaction_s);
+  // Its first word is enough to stop at.
+  const double lead = this->lead(view, make_cue(CueKind::stop));
   // Said early only to somebody who walks straight up to it.
-  const bool approaching = view.walking && std::abs(view.off) <= config_->ahead_rad;
-  const double near = approaching ? std::clamp(lead - 0.3, config_->arrive_m, 1.6 * config_->arrive_m) : config_->arrive_m;
+  const bool approaching = view.walking && view.now >= hold_until_ && std::abs(view.off) <= config_->ahead_rad;
+  const double near = approaching ? std::clamp(lead, config_->arrive_m, 1.6 * config_->arrive_m) : config_->arrive_m;
   const bool beside = distance(goal.at, e.pose.position) <= near &&
                       router_->space(e.room).clear_between(e.pose.position, goal.at, 0.1);
   if (view.remaining > near && !beside) return false;
@@ -281,9 +445,17 @@ bool Follower::take_link(const View& view, Announcer& voice) {
   return true;
 }
 
-void Follower::hold_after(const Cue& cue, double now) {
+void Follower::hold_after(const Cue& cue, const View& view) {
+  const double now = view.now;
+  constexpr double kNear = 2.0;
+  const bool sent = cue.kind != CueKind::stop || cue.tail.present;
+  if (sent && !slanting_ && !view.at_turn && view.target_away < kNear && bound_for_.room != view.estimate->room) {
+    bound_for_ = {view.estimate->room, view.target};
+    bound_since_ = now;
+  }
+
   const double turning = cue.kind == CueKind::turn || cue.tail.present ? 0.6 + std::abs(cue.tail.present ? cue.tail.direction : cue.direction) / degrees(90.0) : 0.6;
-  hold_until_ = now + spoken_seconds(cue, *config_) + config_->reaction_s + turning;
+  hold_until_ = now + spoken_seconds(cue, *config_) + reaction_s_ + turning;
   last_said_ = now;
 }
 
@@ -292,28 +464,83 @@ bool Follower::halt(const View& view, Announcer& voice) {
   if (!view.walking || view.vague) return false;
   const Pose2& pose = view.estimate->pose;
   Cue cue = make_cue(CueKind::stop);
-  const double lead = view.speed * (spoken_seconds(cue, *config_) + config_->reaction_s + 0.2);
+  const double lead = this->lead(view, cue) + 0.2 * view.speed;
   const double free = router_->space(view.estimate->room).reach(pose.position, unit_from_angle(pose.heading), 10.0);
   if (free - config_->body_m > lead) return false;
   // On the way to a spot before that wall, where the wearer was told to go.
   if (std::abs(view.off) <= config_->ahead_rad && view.target_away < free - config_->body_m) return false;
-  if (sector_of(view.off) != Sector::ahead) cue.tail = {CueKind::turn, true, view.off, -1.0};
+  const double turn = told(view.off);
+  if (sector_of(turn) != Sector::ahead && clear_ahead(view, cue, turn, kFaceWall)) {
+    cue.tail = {CueKind::turn, true, turn, -1.0};
+  }
   if (!voice.offer(cue, view.now)) {
     cue.tail = {};
     if (!voice.offer(cue, view.now)) return false;
   }
   straight_due_ = true;
-  hold_after(cue, view.now);
+  hold_after(cue, view);
+  return true;
+}
+
+/// A turn would face the wearer with a wall. Walkers are stopped first, where it is to be made. Whoever stands is sent
+/// another way by a step or two, from where the turn can be told.
+bool Follower::turn_in_tight_spot(const View& view, Announcer& voice) {
+  if (view.walking) {
+    const Cue stop = make_cue(CueKind::stop);
+    if (view.at_turn && view.turn.distance > lead(view, stop)) return true;  // not yet
+    if (!voice.offer(stop, view.now)) return !voice.is_free(view.now);
+    straight_due_ = true;
+    hold_after(stop, view);
+    return true;
+  }
+  const FreeSpace& space = router_->space(view.estimate->room);
+  const Pose2& pose = view.estimate->pose;
+  constexpr std::array<double, 8> kWays{0.0, degrees(32.0), degrees(-32.0), degrees(85.0), degrees(-85.0), degrees(140.0), degrees(-140.0), kPi};
+  constexpr std::array<double, 4> kSteps{0.35, 0.6, 0.9, 1.3};
+  double best = 1e300;
+  double way = 0.0;
+  double length = 0.0;
+  for (const double direction : kWays) {
+    for (const double step : kSteps) {
+      const Vec2 there = pose.position + step * unit_from_angle(pose.heading + direction);
+      const double cost = step + std::abs(wrap_angle(direction - view.off)) * 0.4;
+      if (cost >= best || !space.clear_between(pose.position, there, config_->body_m)) continue;
+      Estimate then = *view.estimate;
+      then.pose = {there, wrap_angle(pose.heading + direction)};
+      const View seen{.estimate = &then};
+      const double off = told(direction_to(then.pose, view.target));
+      if (!in_reach(then, view.target) || !clear_ahead(seen, make_cue(CueKind::turn), off, kFaceWall)) continue;
+      best = cost;
+      way = direction;
+      length = step;
+    }
+  }
+  if (best > 1e299) return false;
+  Cue cue = make_cue(way == 0.0 ? CueKind::go_straight : CueKind::turn);
+  if (way == 0.0) {
+    cue.distance_m = length;
+  } else {
+    cue.direction = way;
+    cue.has_direction = true;
+    cue.tail = {CueKind::go_straight, true, 0.0, length};
+  }
+  if (!voice.offer(cue, view.now)) return false;
+  straight_due_ = true;
+  hold_after(cue, view);
+  hold_until_ += length / 0.7;
   return true;
 }
 
 bool Follower::say_turn(const View& view, Announcer& voice) {
+  const double turn = told(view.off);
   Cue cue = make_cue(CueKind::turn);
-  cue.direction = view.off;
+  cue.direction = turn;
   cue.has_direction = true;
+  const bool again = view.walking && voice.is_free(view.now) && !voice.would_speak(cue, view.now);
+  if ((again || !clear_ahead(view, cue, turn, kFaceWall)) && turn_in_tight_spot(view, voice)) return true;
   const bool astray = route_.cost > least_cost_ + config_->wrong_way_m + 2.0 * view.estimate->sigma_m;
   if (new_way_ || (astray && std::abs(view.off) > degrees(100.0))) {
-    cue.tail = {CueKind::turn, true, view.off, -1.0};
+    cue.tail = {CueKind::turn, true, turn, -1.0};
     cue.kind = new_way_ ? CueKind::rerouted : CueKind::wrong_way;
     cue.has_direction = false;
     cue.direction = 0.0;
@@ -324,7 +551,7 @@ bool Follower::say_turn(const View& view, Announcer& voice) {
     if (view.walking && view.at_turn) {
       cue.tail = {CueKind::go_straight, true, 0.0, view.turn.run_out};
     } else {
-      cue.tail = {CueKind::turn, true, view.off, -1.0};
+      cue.tail = {CueKind::turn, true, turn, -1.0};
       cue.kind = CueKind::stop;
       cue.urgency = Urgency::turn;
       cue.has_direction = false;
@@ -332,10 +559,11 @@ bool Follower::say_turn(const View& view, Announcer& voice) {
     }
   }
   if (!voice.offer(cue, view.now)) return false;
+  time_reaction(view, cue);
   new_way_ = false;
   least_cost_ = route_.cost;
   straight_due_ = !(cue.tail.present && cue.tail.kind == CueKind::go_straight);
-  hold_after(cue, view.now);
+  hold_after(cue, view);
   return true;
 }
 
@@ -347,18 +575,19 @@ bool Follower::steer(const View& view, Announcer& voice) {
   // Walking a little off: only what would miss the next point by too much is worth a word.
   const double noise = 2.0 * std::min(view.estimate->sigma_heading_rad, degrees(5.0));
   const double miss = view.target_away * std::sin(std::min(off, kPi / 2));
-  if (off < degrees(6.0) + 0.5 * noise || miss < view.room_to_miss) return false;
+  const bool misses = off >= degrees(6.0) + 0.5 * noise && miss >= view.room_to_miss;
+  if (!misses && !(off >= kWorthBending && grazes(view))) return false;
   if (off > degrees(22.0)) return say_turn(view, voice);
   Cue cue = make_cue(CueKind::bear);
   cue.direction = view.off;
   cue.has_direction = true;
-  const double needed = view.speed * (spoken_seconds(cue, *config_) + config_->reaction_s);
+  const double needed = lead(view, cue);
   // Left alone when a turn to the other side is due so soon that it would have to wait for this to be forgotten.
   const double turn_off = wrap_angle(view.turn.heading - view.estimate->pose.heading);
   const bool countered = view.turn.present && turn_off * view.off < 0.0 &&
                          view.turn.distance < view.speed * config_->contradiction_gap_s + needed;
   if (countered || view.target_away < needed || !voice.offer(cue, view.now)) return false;
-  hold_after(cue, view.now);
+  hold_after(cue, view);
   return true;
 }
 
@@ -371,7 +600,8 @@ bool Follower::go_on(const View& view, Announcer& voice) {
   double along = view.turn.present ? view.turn.distance : length_of(line_);
   if (view.at_turn) along += view.turn.run_out;
   else if (view.turn.present && along < kAtHand) along = view.target_away;
-  if (view.walking && along < view.speed * (spoken_seconds(cue, *config_) + config_->reaction_s)) return false;
+  if (view.walking && along < lead(view, cue)) return false;
+  if (!amend && !clear_ahead(view, cue, 0.0, std::min(kFaceWall, 0.8 * along))) return false;
   cue.distance_m = along;
   cue.sigma_m = view.estimate->sigma_m;
   if (new_way_) {
@@ -389,7 +619,7 @@ bool Follower::go_on(const View& view, Announcer& voice) {
   if (!voice.offer(cue, view.now)) return false;
   new_way_ = false;
   straight_due_ = false;
-  hold_until_ = view.now + spoken_seconds(cue, *config_) + config_->reaction_s + (amend ? 0.8 : 0.4);
+  hold_until_ = view.now + spoken_seconds(cue, *config_) + reaction_s_ + (amend ? 0.8 : 0.4);
   last_said_ = view.now;
   return true;
 }
@@ -431,7 +661,7 @@ bool Follower::tell_ahead(const View& view, Announcer& voice) {
     cue.direction = direction_to(pose, line_[i].at);
     cue.has_direction = true;
     cue.landmark = {CueLandmark::Kind::door, line_[i].index};
-    const double needed = view.speed * (spoken_seconds(cue, *config_) + config_->reaction_s);
+    const double needed = lead(view, cue);
     const double until = view.turn.present ? std::min(along, view.turn.distance) : along;
     const double turn_lead = view.turn.present ? view.speed * 2.0 : 0.0;
     if (told_door_ == line_[i].index || until < needed + turn_lead) return false;

@@ -15,7 +15,8 @@ namespace echoway::guidance {
 /// Leads a wearer whose position is known along a way that is laid out anew from wherever they are.
 class Follower {
  public:
-  Follower(const Router& router, const GuideConfig& config) : router_(&router), config_(&config) {}
+  Follower(const Router& router, const GuideConfig& config)
+      : router_(&router), config_(&config), reaction_s_(config.reaction_s) {}
 
   void lead_to(RouteTree tree);
   void lead_back(std::vector<Spot> crumbs);
@@ -52,10 +53,18 @@ class Follower {
     double room_to_miss = 0.0;  ///< How far beside the target will do, metres.
   };
 
+  void learn_reaction(const Estimate& estimate) noexcept;
+  void time_reaction(const View& view, const Cue& cue) noexcept;
+  /// How far a walker goes while `cue` is spoken and until they act on it.
+  [[nodiscard]] double lead(const View& view, const Cue& cue) const noexcept;
+  [[nodiscard]] bool clear_ahead(const View& view, const Cue& cue, double direction, double needed) const noexcept;
+  [[nodiscard]] bool grazes(const View& view) const noexcept;
+  [[nodiscard]] BoundFor bound_for(const Estimate& estimate) const;
   [[nodiscard]] bool find_way(const Estimate& estimate);
   [[nodiscard]] View look(const Estimate& estimate, bool vague);
   [[nodiscard]] bool in_reach(const Estimate& estimate, Vec2 at) const;
   void aim(View& view);
+  [[nodiscard]] std::optional<Vec2> slant_through_door(const Estimate& estimate, bool begun) const;
   void note_progress(const View& view);
   [[nodiscard]] bool on_stairs(const Estimate& estimate) noexcept;
   [[nodiscard]] bool arrive(const View& view, Announcer& voice);
@@ -67,7 +76,9 @@ class Follower {
   [[nodiscard]] bool tell_ahead(const View& view, Announcer& voice);
   [[nodiscard]] bool tell_link(const View& view, std::int32_t link, double along, Vec2 at, Announcer& voice);
   [[nodiscard]] bool say_turn(const View& view, Announcer& voice);
-  void hold_after(const Cue& cue, double now);
+  [[nodiscard]] bool turn_in_tight_spot(const View& view, Announcer& voice);
+  void hold_after(const Cue& cue, const View& view);
+  [[nodiscard]] bool still_bound_for(const Estimate& estimate) const;
   [[nodiscard]] Cue goal_cue(CueKind kind) const;
 
   const Router* router_;
@@ -80,12 +91,23 @@ class Follower {
   std::vector<std::int32_t> doors_;      ///< Of the way that was told, in order.
   std::vector<std::int32_t> new_doors_;
   bool new_way_ = false;                 ///< It leads through other doors than the wearer was told.
+  bool slanting_ = false;                ///< The same, aslant from close before the doorway's side.
   bool through_ = false;                 ///< The wearer heads through a doorway, not for the spot before it.
   bool straight_due_ = true;             ///< "Go straight" has not been said on this leg.
   double least_cost_ = 1e300;            ///< Nearest to the goal so far.
   double next_look_ = -1e300;
   double hold_until_ = -1e300;           ///< The last instruction is still being carried out.
   double last_said_ = -1e300;
+  // This wearer's own way of reacting to a line, learnt from the turns they make.
+  double reaction_s_;
+  int reactions_ = 0;                    ///< Learnt from so many.
+  double turn_told_until_ = -1.0;        ///< A turn was told and has not been seen yet; when its line ends.
+  double turn_told_from_ = 0.0;          ///< Heading then.
+  bool turn_told_left_ = false;
+  // The spot that a wearer was last sent to, when it is near: kept until they are there, so that small errors of their
+  // position do not send them to and fro.
+  Spot bound_for_{};
+  double bound_since_ = -1e300;
   double still_since_ = -1e300;
   bool was_walking_ = false;
   std::int32_t told_door_ = -1;

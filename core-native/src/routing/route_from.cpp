@@ -43,7 +43,7 @@ Router::Connection Router::connect_directly(const Spot& start, const RouteTree& 
 
 /// The cheapest first leg. Nodes are tried in order of what a way over them would cost, so that the first one that can
 /// be reached is the best and few are looked at.
-Router::Connection Router::connect(const Spot& start, const RouteTree& tree) const {
+Router::Connection Router::connect(const Spot& start, const RouteTree& tree, const BoundFor& bound_for) const {
   const Connection direct = connect_directly(start, tree);
   const std::int32_t begin = room_begin_[static_cast<std::size_t>(start.room)];
   const std::int32_t end = room_begin_[static_cast<std::size_t>(start.room) + 1];
@@ -52,11 +52,17 @@ Router::Connection Router::connect(const Spot& start, const RouteTree& tree) con
   const auto candidate = [&](std::int32_t i) {
     return i < end - begin ? begin + i : door_node_[static_cast<std::size_t>(passages[static_cast<std::size_t>(i - (end - begin))].door)];
   };
+  const auto detour = [&](std::int32_t n) {
+    const std::int32_t out = tree.way_out[static_cast<std::size_t>(n)];
+    const Node* node = out < 0 ? nullptr : &nodes_[static_cast<std::size_t>(out)];
+    const bool bound = node != nullptr && node->kind == bound_for.kind && node->index == bound_for.index;
+    return bound ? 0.0 : bound_for.worth_m;
+  };
   const auto cost_over = [&](std::int32_t i) {
     const std::int32_t n = candidate(i);
     const Vec2 at = i < end - begin ? nodes_[static_cast<std::size_t>(n)].at
                                     : passages[static_cast<std::size_t>(i - (end - begin))].centre;
-    return distance(start.at, at) + tree.cost[static_cast<std::size_t>(n)];
+    return distance(start.at, at) + tree.cost[static_cast<std::size_t>(n)] + detour(n);
   };
   for (const bool squeeze : {false, true}) {
     double tried_cost = -1.0;
@@ -75,7 +81,7 @@ Router::Connection Router::connect(const Spot& start, const RouteTree& tree) con
       const Node& node = nodes_[static_cast<std::size_t>(n)];
       const double full = node.kind == WaypointKind::door ? config_.clearances.front().radius : node.radius;
       const double radius = squeeze ? config_.clearances.back().radius : full;
-      if (reaches(start, n, radius)) return {n, next.cost, radius};
+      if (reaches(start, n, radius)) return {n, next.cost - detour(n), radius};
     }
     if (direct.cost < kInfinity) return direct;
   }
@@ -139,14 +145,14 @@ void Router::follow(const Spot& start, const RouteTree& tree, const Connection& 
          route);
 }
 
-Status Router::route_from(const Spot& from, const RouteTree& tree, Route& route) const {
+Status Router::route_from(const Spot& from, const RouteTree& tree, Route& route, const BoundFor& bound_for) const {
   route.clear();
   if (!has_room(from.room) || !is_finite(from.at)) return Error{"the start lies in no room of this building"};
   if (tree.cost.size() != nodes_.size() || tree.targets.empty()) return Error{"no destination is set"};
   Spot start = from;
   const FreeSpace& free = space(from.room);
   if (!free.contains(start.at) || free.clearance(start.at, 0.02) < 0.02) start.at = free.settle(start.at, 0.02);
-  const Connection first = connect(start, tree);
+  const Connection first = connect(start, tree, bound_for);
   if (!(first.cost < kInfinity)) {
     return Error{"no safe way leads from " + room_label(*building_, from.room) + " to the destination in " +
                  room_label(*building_, tree.targets.front().spot.room) +

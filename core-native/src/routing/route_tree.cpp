@@ -89,6 +89,7 @@ Result<RouteTree> Router::tree_to(const Goal& goal, RoutePreferences preferences
 void Router::seed_tree(RouteTree& tree) const {
   tree.cost.assign(nodes_.size(), kInfinity);
   tree.next.assign(nodes_.size(), 0);
+  tree.way_out.assign(nodes_.size(), -1);
   for (std::size_t t = 0; t < tree.targets.size(); ++t) {
     const Spot& spot = tree.targets[t].spot;
     const FreeSpace& free = space(spot.room);
@@ -125,6 +126,10 @@ void Router::grow_tree(RouteTree& tree) const {
     const auto [cost, n] = queue.top();
     queue.pop();
     if (cost > tree.cost[static_cast<std::size_t>(n)]) continue;
+    const WaypointKind kind = nodes_[static_cast<std::size_t>(n)].kind;
+    const std::int32_t next = tree.next[static_cast<std::size_t>(n)];
+    const bool out = kind == WaypointKind::door || kind == WaypointKind::link_from;
+    tree.way_out[static_cast<std::size_t>(n)] = out ? n : next < 0 ? -1 : tree.way_out[static_cast<std::size_t>(next)];
     for (std::int32_t e = edge_begin_[static_cast<std::size_t>(n)]; e < edge_begin_[static_cast<std::size_t>(n) + 1]; ++e) {
       const Edge& edge = edges_[static_cast<std::size_t>(e)];
       const bool avoided = edge.stairs && tree.preferences.avoid_stairs;

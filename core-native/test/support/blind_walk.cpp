@@ -144,6 +144,10 @@ class Wearer {
       if (cue.tail.present) todo_.push_back({now + delay, cue.tail.kind, cue.tail.direction, cue.tail.distance_m, index, {}});
       return;
     }
+    if (cue.kind == CueKind::arrived) {  // the first word says it
+      todo_.push_back({now + 0.7 + reaction_, cue.kind, 0.0, -1.0, index, {}});
+      return;
+    }
     todo_.push_back({now + delay, cue.kind, cue.direction, cue.distance_m, index, cue.landmark});
     if (cue.tail.present) todo_.push_back({now + delay + 0.1, cue.tail.kind, cue.tail.direction, cue.tail.distance_m, index, {}});
   }
@@ -197,8 +201,13 @@ class Wearer {
 
   void judge(std::size_t cue, double direction, double need) {
     ++outcome_.instructions;
-    if (body_.reach(direction) >= need) return;
-    outcome_.cues[cue].wrong = true;
+    HeardCue& heard = outcome_.cues[cue];
+    heard.acted_room = body_.room();
+    heard.acted = body_.pose();
+    heard.wanted = direction;
+    heard.reach = body_.reach(direction);
+    if (heard.reach >= need) return;
+    heard.wrong = true;
     ++outcome_.wrong_cues;
   }
 
@@ -385,6 +394,9 @@ WalkOutcome walk_blindfolded(const Router& router, const Spot& start, double hea
   }
   const auto end = router.find_route({body.room(), body.pose().position}, goal);
   outcome.end_error_m = end ? walked_length(*end) : 1e9;
+  const bool in_sight = goal.kind == Goal::Kind::spot && goal.spot.room == body.room() &&
+                        router.space(body.room()).clear_between(body.pose().position, goal.spot.at, 0.0);
+  if (in_sight) outcome.end_error_m = distance(body.pose().position, goal.spot.at);
   constexpr double kThere = 1.5;
   outcome.arrived = wearer.done() && outcome.end_error_m <= kThere;
   return outcome;

@@ -62,6 +62,10 @@ class NoisyTruth : public PoseSource {
 struct HeardCue {
   Cue cue;
   bool wrong = false;  ///< It sent the wearer into a wall.
+  RoomIndex acted_room = kNoRoom;  ///< Where the wearer did as told,
+  Pose2 acted{};
+  double wanted = 0.0;             ///< to which side of the chest,
+  double reach = 0.0;              ///< and how far it is free there.
 };
 
 struct TracePoint {

@@ -33,7 +33,7 @@ struct GuideConfig {
   double fuse_m = 0.9;                ///< Turns this close together are one.
   double arrive_m = 0.8;              ///< This near is there.
   double door_cue_m = 3.0;            ///< Doors on the way are told from this far.
-  double off_route_m = 1.5;           ///< Further than this from the way: find another.
+  double other_way_m = 1.0;           ///< Another door is taken only where it saves more than this.
   double wrong_way_m = 1.5;           ///< Walked away from the goal by this much.
   double body_m = 0.25;               ///< Half the wearer's breadth.
   double default_speed_mps = 0.8;     ///< Of a walking wearer, while none is known.

@@ -93,6 +93,13 @@ struct Route {
   }
 };
 
+/// The door or the stairs by which a walker is already leaving a room: others are taken only where they save more.
+struct BoundFor {
+  WaypointKind kind = WaypointKind::turn;  ///< door or link_from; anything else: bound for none.
+  std::int32_t index = -1;
+  double worth_m = 0.0;                    ///< Cost that another way out has to save.
+};
+
 /// Length of a route's walked part, metres, stairs and elevators left out.
 [[nodiscard]] double walked_length(const Route& route) noexcept;
 

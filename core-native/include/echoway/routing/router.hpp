@@ -24,6 +24,7 @@ struct RouteTree {
   std::vector<Target> targets;
   std::vector<double> cost;        ///< By node; infinity where nothing leads to the goal.
   std::vector<std::int32_t> next;  ///< By node: the next node, or -1 - i for targets[i].
+  std::vector<std::int32_t> way_out;  ///< By node: itself or the first after it that is a door or the end of a link; -1: none.
 };
 
 /// Finds shortest safe ways in a building: inside the free space at the walker's half-width (see FreeSpace), through the
@@ -49,7 +50,7 @@ class Router {
 
   /// The way from `from` along `tree` into `route`, whose buffers are reused. Fails, leaving `route` empty, when no safe
   /// way leads there. A start inside a wall is taken for the free point beside it.
-  Status route_from(const Spot& from, const RouteTree& tree, Route& route) const;
+  Status route_from(const Spot& from, const RouteTree& tree, Route& route, const BoundFor& bound_for = {}) const;
 
   /// tree_to() and route_from() in one.
   [[nodiscard]] Result<Route> find_route(const Spot& from, const Goal& goal, RoutePreferences preferences = {}) const;
@@ -89,7 +90,7 @@ class Router {
   [[nodiscard]] Spot stand(const Spot& spot) const;
   void seed_tree(RouteTree& tree) const;
   void grow_tree(RouteTree& tree) const;
-  [[nodiscard]] Connection connect(const Spot& start, const RouteTree& tree) const;
+  [[nodiscard]] Connection connect(const Spot& start, const RouteTree& tree, const BoundFor& bound_for) const;
   [[nodiscard]] bool reaches(const Spot& start, std::int32_t node, double radius) const;
   [[nodiscard]] Connection connect_directly(const Spot& start, const RouteTree& tree) const;
   void follow(const Spot& start, const RouteTree& tree, const Connection& first, Route& route) const;
