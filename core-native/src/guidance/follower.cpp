@@ -138,15 +138,18 @@ bool Follower::clear_ahead(const View& view, const Cue& cue, double direction, d
   const FreeSpace& space = router_->space(view.estimate->room);
   const double spread = reactions_ < 2 ? kStranger : kAcquaintance;
   const Vec2 ahead = unit_from_angle(pose.heading);
-  const double play = spread * view.speed + 1.5 * std::min(view.estimate->sigma_m, 0.2);
+  const double sigma = std::min(view.estimate->sigma_m, 0.2);
+  const double play = spread * view.speed + 1.5 * sigma;
   const double until_wall = std::max(0.0, space.reach(pose.position, ahead, 10.0) - config_->body_m);
   const double due = lead(view, cue);
   // Here too: somebody who touches a wall meanwhile stands still and does it there.
   for (const double on : {due - play, due + play, 0.0}) {
     const Vec2 there = pose.position + std::min(on, until_wall) * ahead;
-    for (const double wobble : {-kWobble, kWobble}) {
-      const double way = pose.heading + understood(direction) + wobble;
-      if (space.reach(there, unit_from_angle(way), needed) < needed) return false;
+    for (const double side : {-1.0, 1.0}) {
+      const Vec2 way = unit_from_angle(pose.heading + understood(direction) + side * kWobble);
+      for (const double error : {-sigma, sigma}) {
+        if (space.reach(there + error * perpendicular(way), way, needed) < needed) return false;
+      }
     }
   }
   return true;
@@ -473,10 +476,21 @@ bool Follower::halt(const View& view, Announcer& voice) {
   if (sector_of(turn) != Sector::ahead && clear_ahead(view, cue, turn, kFaceWall)) {
     cue.tail = {CueKind::turn, true, turn, -1.0};
   }
-  if (!voice.offer(cue, view.now)) {
-    cue.tail = {};
-    if (!voice.offer(cue, view.now)) return false;
+  if (!cue.tail.present || !voice.offer(cue, view.now)) return stop_walker(view, voice);
+  straight_due_ = true;
+  hold_after(cue, view);
+  return true;
+}
+
+/// "Stop." once in a while; sooner after the last one "Stop. Door left.", which are other words.
+bool Follower::stop_walker(const View& view, Announcer& voice) {
+  Cue cue = make_cue(CueKind::stop);
+  if (!voice.would_speak(cue, view.now)) {
+    const auto door = std::find_if(line_.begin(), line_.end(), [](const LinePoint& p) { return p.kind == WaypointKind::door; });
+    if (door == line_.end()) return false;
+    cue.tail = {CueKind::door, true, direction_to(view.estimate->pose, door->at), -1.0};
   }
+  if (!voice.offer(cue, view.now)) return false;
   straight_due_ = true;
   hold_after(cue, view);
   return true;
@@ -488,10 +502,7 @@ bool Follower::turn_in_tight_spot(const View& view, Announcer& voice) {
   if (view.walking) {
     const Cue stop = make_cue(CueKind::stop);
     if (view.at_turn && view.turn.distance > lead(view, stop)) return true;  // not yet
-    if (!voice.offer(stop, view.now)) return !voice.is_free(view.now);
-    straight_due_ = true;
-    hold_after(stop, view);
-    return true;
+    return stop_walker(view, voice) || !voice.is_free(view.now);
   }
   const FreeSpace& space = router_->space(view.estimate->room);
   const Pose2& pose = view.estimate->pose;

@@ -76,6 +76,7 @@ class Follower {
   [[nodiscard]] bool tell_ahead(const View& view, Announcer& voice);
   [[nodiscard]] bool tell_link(const View& view, std::int32_t link, double along, Vec2 at, Announcer& voice);
   [[nodiscard]] bool say_turn(const View& view, Announcer& voice);
+  [[nodiscard]] bool stop_walker(const View& view, Announcer& voice);
   [[nodiscard]] bool turn_in_tight_spot(const View& view, Announcer& voice);
   void hold_after(const Cue& cue, const View& view);
   [[nodiscard]] bool still_bound_for(const Estimate& estimate) const;
