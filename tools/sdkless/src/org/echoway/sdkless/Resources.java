@@ -49,7 +49,7 @@ final class Resources {
         Path source = module.resolve("src/main/AndroidManifest.xml");
         List<Path> resourceFolders = Layout.APP.resources().stream().map(module::resolve).toList();
         Path assets = new Assets(workspace).merge();
-        Stamp stamp = new Stamp().words("resources 2").file(source).files(resourceFolders).file(assets).paths(aars);
+        Stamp stamp = new Stamp().words("resources 3").file(source).files(resourceFolders).file(assets).paths(aars);
         stamp.guard("resources " + folder.getFileName(), rClasses(), () -> {
             mergeManifest(source);
             link(compileAll(resourceFolders), assets);

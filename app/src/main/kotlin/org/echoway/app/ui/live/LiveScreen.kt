@@ -57,7 +57,7 @@ fun LiveScreen(state: LiveUiState, actions: LiveActions) {
 
 @Composable
 private fun ColumnScope.Notice(text: String, actions: LiveActions) {
-    Text(text, Modifier.weight(1f).semantics { liveRegion = LiveRegionMode.Polite }, style = MaterialTheme.typography.headlineSmall)
+    Heading(text, Modifier.weight(1f).semantics { liveRegion = LiveRegionMode.Polite })
     BigButton(stringResource(R.string.setup), onClick = actions.onSetup)
     Action(stringResource(R.string.menu), onClick = actions.onMenu)
 }
