@@ -64,6 +64,31 @@ TEST(SimAcoustics, AnEdgeAnswersNearbyAndIsTooWeakFarOff) {
   EXPECT_EQ(look(building, world, {5.0, 10.0}, 0.0), kSilence);
 }
 
+TEST(SimAcoustics, ARoughWallAnswersAtAnyIncidence) {
+  // Thesis section 6.2.5: near a wall sensors hear it at 30 to 60 degrees.
+  World rough = ideal_world();
+  rough.rough_walls = 1.0;
+  int heard = 0;
+  for (int askew = 30; askew <= 60; askew += 2) {
+    EXPECT_EQ(look(hall(), ideal_world(), {19.0, 10.0}, askew), kSilence) << askew;
+    heard += look(hall(), rough, {19.0, 10.0}, askew) > 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(heard, 8);
+}
+
+TEST(SimAcoustics, ThinPostsAnswerWhereWallsAreSilent) {
+  const Building room = one_room(rooms::rectangle(8.0, 8.0));
+  World posts = ideal_world();
+  posts.posts_per_m2 = 0.5;
+  int bare = 0;
+  int with_posts = 0;
+  for (int angle = 0; angle < 360; angle += 5) {
+    bare += look(room, ideal_world(), {4.0, 4.0}, angle) != kSilence ? 1 : 0;
+    with_posts += look(room, posts, {4.0, 4.0}, angle) != kSilence ? 1 : 0;
+  }
+  EXPECT_GT(with_posts, bare + 5);
+}
+
 TEST(SimAcoustics, ABenchAnswersAtAnyIncidence) {
   Building building = hall();
   building.rooms[0].reflectors = {{{12.0, 6.0}, {12.0, 14.0}}};
@@ -84,6 +109,18 @@ TEST(SimAcoustics, SoundComesBackByWayOfAWallMetAskew) {
   EXPECT_EQ(look(building, world, from, 0.0), kSilence);
   world.mirror_paths = true;
   EXPECT_NEAR(look(building, world, from, 0.0), 4.0 + 3.0, kRise);
+}
+
+TEST(SimAcoustics, AWideBeamUsesMirrorsFarOffItsAxis) {
+  // The same chamfer, 35 degrees off the axis: within the beam of a small disc at 40 kHz.
+  const Building building = one_room(
+      rooms::polygon({{0.0, 0.0}, {7.6, 0.0}, {8.0, 0.4}, {8.0, 2.0}, {6.0, 4.0}, {0.0, 4.0}}));
+  World world = ideal_world();
+  world.frequency_hz = 40e3;
+  world.transducer_radius_m = 6.5e-3;
+  EXPECT_GT(std::abs(look(building, world, {3.0, 3.0}, -35.0) - 7.0), kRise);
+  world.mirror_paths = true;
+  EXPECT_NEAR(look(building, world, {3.0, 3.0}, -35.0), 4.0 + 3.0, kRise);
 }
 
 TEST(SimAcoustics, SoundGoesRoundATriangleOfTwoWalls) {
@@ -171,6 +208,19 @@ TEST(SimAcoustics, WarmAirShortensRanges) {
   warm.temperature_c = 32.0;
   const double expected = 4.0 * speed_of_sound(kReferenceCelsius) / speed_of_sound(32.0);
   EXPECT_NEAR(look(hall(), warm, {16.0, 10.0}, 0.0), expected, 0.01);
+}
+
+TEST(SimAcoustics, TheAirIsWarmerTowardsOneSideOfALevel) {
+  // Readings of a wall 4 m off from places 12 m apart, across the hall and along it, tell the gradient's two parts.
+  World world = ideal_world();
+  world.temperature_gradient_k_per_m = 1.0;
+  const auto kelvins = [](double near, double far) {
+    const double kelvin = speed_of_sound(21.0) / speed_of_sound(20.0) - 1.0;
+    return std::log(near / far) / kelvin;
+  };
+  const double across = kelvins(look(hall(), world, {16.0, 4.0}, 0.0), look(hall(), world, {16.0, 16.0}, 0.0));
+  const double along = kelvins(look(hall(), world, {4.0, 16.0}, 90.0), look(hall(), world, {16.0, 16.0}, 90.0));
+  EXPECT_NEAR(std::hypot(across, along), 12.0, 1.0);
 }
 
 TEST(SimAcoustics, RangesAreWholeTicksOfTheTimer) {

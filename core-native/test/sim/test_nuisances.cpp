@@ -115,6 +115,40 @@ TEST(SimNuisances, ArmsAnswerAndHideWhatIsBehindThem) {
   EXPECT_EQ(share(of_sensor(with, 0), near), 0.0) << "arms do not swing before the chest";
 }
 
+TEST(SimNuisances, TheChestSwaysWithEveryStrideAndNotAtRest) {
+  Walk walk;
+  walk.world = ideal_world();
+  walk.world.yaw_sway_rad = degrees(5.0);
+  walk.start = {"office", {1.0, 1.0}};
+  walk.start_heading = kPi / 2.0;
+  walk.add(Pause{5.0});
+  walk.add(GoTo{{"office", {1.0, 6.0}}});
+  double resting = 0.0;
+  double walking = 0.0;
+  for (const TruthRow& row : run(walk).truth) {
+    const double off = std::abs(wrap_angle(row.pose.heading - kPi / 2.0));
+    double& most = row.pose.position.y < 1.001 ? resting : walking;
+    most = std::max(most, off);
+  }
+  EXPECT_LT(resting, degrees(0.1));
+  EXPECT_NEAR(to_degrees(walking), 5.0, 1.0);
+}
+
+TEST(SimNuisances, TheLeafOfAnOpenDoorStandsInARoom) {
+  World leaves = ideal_world();
+  leaves.door_leaves = 1.0;
+  int nearer = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    // Along the wall with the door, from either side: an open leaf stands across.
+    const bool below = look(three_rooms(), leaves, {4.5, 0.6}, 90.0, seed, "hall") < 2.5;
+    const bool above = look(three_rooms(), leaves, {4.5, 3.4}, -90.0, seed, "hall") < 2.5;
+    nearer += below || above ? 1 : 0;
+    EXPECT_GT(look(three_rooms(), ideal_world(), {4.5, 0.6}, 90.0, seed, "hall"), 2.5);
+  }
+  EXPECT_GT(nearer, 2);
+  EXPECT_LT(nearer, 20) << "some open into the office";
+}
+
 TEST(SimNuisances, PeopleAnswerNearerThanTheWalls) {
   Walk walk = stand(120.0);
   const auto nearer = [](const Firing& f) { return f.has_echo() && f.range_m < 1.7; };

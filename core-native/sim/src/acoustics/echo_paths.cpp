@@ -8,10 +8,11 @@ namespace {
 
 constexpr double kNearest = 0.02;                // Things closer to the face than this count as this far, metres.
 constexpr double kFaintest = 0.1;                // Share of the threshold below which a path is not worth its while.
-constexpr double kFan = degrees(20.0);           // Planes serve as mirrors up to this far off the axis;
+constexpr double kFan = degrees(20.0);           // Planes serve as mirrors up to this far off the axis of a belt's beam,
+constexpr double kInsideNull = degrees(5.0);     // or to this far inside the first null of a wider one;
 constexpr double kFanStep = degrees(1.0);        // they are found by rays so far apart.
 constexpr double kDirectBeam = degrees(70.0);    // Other rooms are heard when their doorway lies so near the axis,
-constexpr double kMirroredBeam = degrees(25.0);  // by way of a mirror, so near.
+constexpr double kBesideFan = degrees(5.0);      // by way of a mirror, this near to the fan.
 constexpr double kAtTheDoor = 0.3;               // Nearer than this, both rooms of a doorway are heard.
 constexpr double kBeyondEnd = 0.3;               // A plane's reflection point may lie this far beyond its end, metres.
 
@@ -59,6 +60,7 @@ class PathFinder {
         sensor_(sensor),
         obstacles_(obstacles),
         max_path_(max_path_m),
+        fan_(std::max(kFan, receiver.first_null() - kInsideNull)),
         arrivals_(arrivals) {}
 
   void look_straight() {
@@ -70,7 +72,7 @@ class PathFinder {
   // section 4.3).
   void look_by_mirrors() {
     std::vector<Mirror> mirrors;
-    for (double angle = -kFan; angle <= kFan; angle += kFanStep) {
+    for (double angle = -fan_; angle <= fan_; angle += kFanStep) {
       const Vec2 e = unit_from_angle(angle);
       const Vec2 ray{sensor_.axis.x * e.x - sensor_.axis.y * e.y, sensor_.axis.y * e.x + sensor_.axis.x * e.y};
       const View::Hit hit = view_.first_panel(sensor_.room, sensor_.face, ray, 0.5 * max_path_);
@@ -104,7 +106,7 @@ class PathFinder {
     }
     for (const Corner& corner : placed.scene.corners) corner_echo(vantage, room, corner);
     for (const Scatterer& scatterer : placed.scene.scatterers) scatter(vantage, room, scatterer);
-    const double beam = vantage.mirror == nullptr ? kDirectBeam : kMirroredBeam;
+    const double beam = vantage.mirror == nullptr ? kDirectBeam : fan_ + kBesideFan;
     for (const View::Portal& portal : placed.portals) {
       if (portal.leads_to < 0 || portal.leads_to == came_from || !in_beam(vantage, portal.opening, beam)) continue;
       look_into(vantage, portal.leads_to, room);
@@ -254,6 +256,7 @@ class PathFinder {
   const Sensor& sensor_;
   const std::vector<Obstacle>& obstacles_;
   double max_path_;
+  double fan_;
   std::vector<Arrival>& arrivals_;
   Arrival path_{};
 };

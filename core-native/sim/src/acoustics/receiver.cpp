@@ -14,6 +14,7 @@ constexpr double kReferencePath = 4.0;  // There and back to a plane 2 m off.
 constexpr double kGainRiseDb = 40.0;    // From the first gain step to the last.
 constexpr double kPulse = 16.0;         // Cycles in the ping: the echo's envelope rises that long.
 constexpr double kNearestPath = 0.05;   // Metres; shorter paths count as this long.
+constexpr double kFirstZero = 3.8317;   // Of the Bessel function J1.
 constexpr int kPatternSteps = 4096;     // Of the tabulated directivity; linear between, good to 1e-5.
 constexpr int kSamplesPerPulse = 24;    // Of the envelope where echoes overlap.
 // Times at which the ranging module raises its gain, seconds after the ping (step table of its control chip; the last
@@ -55,6 +56,8 @@ double Receiver::directivity(double cos_theta) const noexcept {
   const auto i = static_cast<std::size_t>(place);
   return pattern_[i] + (place - static_cast<double>(i)) * (pattern_[i + 1] - pattern_[i]);
 }
+
+double Receiver::first_null() const noexcept { return std::asin(std::min(1.0, kFirstZero / (wave_number_ * radius_))); }
 
 double Receiver::path_amplitude(double path_m) const noexcept {
   return kReferencePath / std::max(path_m, kNearestPath) * std::exp(-absorption_ * (path_m - kReferencePath));
@@ -132,7 +135,7 @@ double transducer_radius_for(double half_angle, const World& world) {
   // On the main lobe 2 J1(x)/x falls from 1 at x = 0 to 0 at 3.83.
   const double wanted = std::pow(10.0, -world.plane_margin_db / 40.0) / std::cos(half_angle);
   double low = 0.0;
-  double high = 3.8317;
+  double high = kFirstZero;
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
     (piston_directivity(middle, 1.0, 1.0) > wanted ? low : high) = middle;

@@ -24,6 +24,9 @@ class Receiver {
   /// One-way directivity at an angle off the axis, signed (side lobes alternate), 0 behind.
   [[nodiscard]] double directivity(double cos_theta) const noexcept;
 
+  /// The angle off the axis at which the main lobe ends, radians; a right angle for a disc too small to have a null.
+  [[nodiscard]] double first_null() const noexcept;
+
   /// Spreading and absorption over a mirror-like path, 1 for a plane 2 m off.
   [[nodiscard]] double path_amplitude(double path_m) const noexcept;
 

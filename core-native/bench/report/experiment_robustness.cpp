@@ -1,0 +1,122 @@
+// Error against one nuisance at a time.
+#include <cmath>
+#include <functional>
+
+#include "experiment.hpp"
+#include "plans.hpp"
+#include "roaming.hpp"
+#include "stops.hpp"
+#include "table.hpp"
+
+namespace echoway::report {
+namespace {
+
+constexpr double kSeconds = 60.0;
+constexpr double kSpeed = 0.5;
+
+struct Setting {
+  Building world;  ///< As it is walked through,
+  Building plan;   ///< and as the estimators are told.
+  sim::Walk walk;
+};
+
+/// One thing that goes wrong, to some degree.
+struct Nuisance {
+  std::string group;
+  std::vector<double> levels;
+  std::function<void(Setting&, double level, int number)> apply;
+  std::function<double(double level)> speed = [](double) { return kSpeed; };
+};
+
+void kill_sensors(Setting& setting, double count, int number) {
+  Random random(static_cast<std::uint64_t>(number) + 31);
+  std::vector<int> sensors;
+  for (int i = 0; i < setting.walk.belt.sensors; ++i) sensors.push_back(i);
+  std::vector<int> dead;
+  while (dead.size() < static_cast<std::size_t>(count)) {
+    const auto pick = static_cast<std::ptrdiff_t>(random.uniform() * static_cast<double>(sensors.size()));
+    dead.push_back(sensors[static_cast<std::size_t>(pick)]);
+    sensors.erase(sensors.begin() + pick);
+  }
+  if (!dead.empty()) {
+    setting.walk.steps.insert(setting.walk.steps.begin(), {sim::SensorFault{sim::SensorFault::Kind::dead, dead, 0.0}});
+  }
+}
+
+double celsius_for(double sound_speed_error) {
+  const double v = speed_of_sound(kReferenceCelsius) * (1.0 + sound_speed_error) / speed_of_sound(0.0);
+  return 273.15 * (v * v - 1.0);
+}
+
+std::vector<Nuisance> nuisances() {
+  return {
+      {"dead sensors of 15", {0, 1, 2, 4, 6, 8}, kill_sensors},
+      {"drop-outs (%)", {0, 10, 20, 30, 45, 60},
+       [](Setting& s, double level, int) { s.walk.world.dropout = level / 100.0; }},
+      {"unmapped furniture a square metre", {0, 0.05, 0.1, 0.2, 0.3, 0.45},
+       [](Setting& s, double level, int) { s.walk.world.furniture_per_m2 = s.walk.world.posts_per_m2 = level; }},
+      {"people on 100 square metres", {0, 2, 5, 10, 20},
+       [](Setting& s, double level, int) { s.walk.world.people_per_100m2 = level; }},
+      {"walking speed (m/s)", {0.5, 0.75, 1.0, 1.25, 1.5}, [](Setting&, double, int) {}, [](double level) { return level; }},
+      {"sound speed off (%)", {-4, -2, -1, 0, 1, 2, 4},
+       [](Setting& s, double level, int) {
+         s.walk.world.temperature_c = celsius_for(level / 100.0);
+         s.walk.world.temperature_gradient_k_per_m = 0.0;
+       }},
+      {"walls off (cm)", {0, 2, 5, 10, 20},
+       [](Setting& s, double level, int number) {
+         s.plan = walls_off(s.world, level / 100.0, static_cast<std::uint64_t>(number) + 77);
+       }},
+      {"a cupboard a room that the plan lacks", {0, 1},
+       [](Setting& s, double level, int number) {
+         if (level > 0.0) s.world = with_cupboards(s.world, static_cast<std::uint64_t>(number) + 5);
+       }},
+      {"a cupboard a room that is gone", {0, 1},
+       [](Setting& s, double level, int number) {
+         if (level > 0.0) s.plan = with_cupboards(s.world, static_cast<std::uint64_t>(number) + 5);
+       }},
+      {"a partition a room moved (m)", {0, 0.25, 0.5, 1.0},
+       [](Setting& s, double level, int) { s.plan = partitions_moved(s.world, level); }},
+  };
+}
+
+struct Job {
+  const Nuisance* nuisance;
+  double level;
+  int number;
+};
+
+std::string one_walk(const Job& job) {
+  Table rows;
+  Roam roamed = roam(job.number, kSeconds, job.nuisance->speed(job.level));
+  Setting setting{roamed.world, roamed.world, roamed.walk};
+  job.nuisance->apply(setting, job.level, job.number);
+  const auto run = sim::simulate(setting.world, setting.walk);
+  if (!run) return {};  // The cupboard stands where the walk wants to go.
+  for (const Estimator& method : {thesis_method(), tracker(), tracker_without_hints()}) {
+    const Track track = follow({setting.world, setting.plan, *run, kReferenceCelsius, setting.walk.seed}, method);
+    const Summary s = summarise(track);
+    rows.add(job.nuisance->group, job.level, job.number, method.name, s.mean_m, s.median_m, s.p90_m, to_degrees(s.turn_rad),
+             s.right_room, s.within_2_sigma, track.cpu_us);
+  }
+  return rows.text();
+}
+
+}  // namespace
+
+void run_robustness(const Context& context) {
+  const std::vector<Nuisance> all = nuisances();
+  std::vector<Job> jobs;
+  for (const Nuisance& nuisance : all) {
+    for (const double level : nuisance.levels) {
+      for (int number = 0; number < context.repeats(20); ++number) jobs.push_back({&nuisance, level, number});
+    }
+  }
+  const auto parts = run_all(context, static_cast<int>(jobs.size()),
+                             [&](int i) { return one_walk(jobs[static_cast<std::size_t>(i)]); });
+  Table table(kRoamColumns);
+  for (const std::string& rows : parts) table.append(rows);
+  table.write(context.out / "robustness.csv");
+}
+
+}  // namespace echoway::report

@@ -1,0 +1,110 @@
+// Figures 6.17, 6.19, 6.21 and 6.22 to 6.24: walks from room to room.
+#include "experiment.hpp"
+#include "plans.hpp"
+#include "readings.hpp"
+#include "rooms.hpp"
+#include "table.hpp"
+
+namespace echoway::report {
+namespace {
+
+constexpr double kStep = feet(1.0);  // Between the thesis's checkpoints.
+
+struct Case {
+  std::string_view figure;
+  std::string_view plan;
+  std::string_view walk;
+  bool benches_on_plan;
+};
+constexpr Case kCases[] = {
+    {"6.17", "torgersen-lab", "thesis", true},
+    {"6.19", "similar-rooms", "two-rooms", true},
+    {"6.21", "similar-rooms", "three-rooms", true},
+    {"6.22 without benches", "torgersen-lab", "benches", false},
+    {"6.22 with benches", "torgersen-lab", "benches", true},
+};
+
+std::string_view id_of(const Building& plan, RoomIndex room) {
+  return room == kNoRoom ? std::string_view("-") : std::string_view(plan.room(room).id);
+}
+
+sim::Walk walk_of(const Case& c, bool bare, const Building& world, int number) {
+  sim::Walk walk = read_plan_walk(c.plan, c.walk);
+  walk.seed += 1000 * static_cast<std::uint64_t>(number);
+  walk.world = sim::make_world(bare ? sim::Profile::empty : sim::Profile::furnished);
+  return with_stops(world, walk, kStep);
+}
+
+std::string one_walk(const Case& c, bool bare, int number) {
+  Table rows;
+  const Building world = load_plan(c.plan);
+  const Building plan = c.benches_on_plan ? world : without_reflectors(world);
+  const sim::Walk walk = walk_of(c, bare, world, number);
+  const sim::Simulation run = walk_through(world, walk);
+  const std::vector<Stop> stops = find_stops(world, run);
+  const Trial trial{world, plan, run, kReferenceCelsius, walk.seed};
+  const auto add = [&](const Estimator& method, const Fix& fix, std::size_t stop) {
+    const Pose2& at = stops[stop].pose;
+    const Vec2 on_level = world.room(stops[stop].room).frame.transform(at.position);
+    rows.add(c.figure, bare ? "bare" : "furnished", number, method.name, stop, on_level.x, on_level.y, id_of(world, stops[stop].room),
+             id_of(plan, fix.room), fix.error_m, to_degrees(fix.turn_rad));
+  };
+  const std::vector<Firing> standing = firings_at(stops, run);
+  for (const Estimator& method : {thesis_method(), thesis_as_printed()}) {
+    const Track track = follow(trial, method, standing);
+    for (std::size_t i = 0; i < track.fixes.size(); ++i) add(method, track.fixes[i], i);
+  }
+  const auto passes = static_cast<std::size_t>(2 * walk.belt.sensors);
+  for (const Estimator& method : {tracker(), tracker_without_hints()}) {
+    const Track track = follow(trial, method);
+    for (std::size_t i = 0; i < stops.size(); ++i) add(method, track.fixes[stops[i].first + passes - 1], i);
+  }
+  return rows.text();
+}
+
+// Figures 6.23 and 6.24: one place between the benches of room 3, matched with room 3 and with room 2.
+void show_room_3(const Context& context) {
+  const Building world = load_plan("torgersen-lab");
+  const Building plan = without_reflectors(world);
+  const sim::Simulation run = walk_through(world, walk_of(kCases[3], true, world, 0));
+  const RoomIndex three = world.find_room("3");
+  const RoomIndex two = world.find_room("2");
+  Table poses("figure,room,kind,x_m,y_m,heading_deg,quality");
+  Table readings(kReadingColumns);
+  for (const Stop& stop : find_stops(world, run)) {
+    if (stop.room != three || stop.pose.position.x < feet(2.0)) continue;
+    const thesis::Scan scan = scan_at(stop, run, {});
+    const Pose2 in_two = world.room(two).frame.relative(world.room(three).frame.compose(stop.pose));
+    for (const auto& [figure, room, start] : {std::tuple{"6.23", three, stop.pose}, std::tuple{"6.24", two, in_two}}) {
+      ThesisParameters doubled;  // As for a candidate room (section 5.2).
+      doubled.movement_m *= doubled.candidate_growth;
+      doubled.rotation_rad *= doubled.candidate_growth;
+      RoomMatcher matcher(plan, room, run.scans.belt.apply_to({}), doubled);
+      const thesis::Match match = matcher.match(scan, start);
+      if (!match.found) continue;
+      const Pose2& p = match.pose;
+      poses.add(figure, id_of(plan, room), "true", start.position.x, start.position.y, to_degrees(start.heading), 0.0);
+      poses.add(figure, id_of(plan, room), "best", p.position.x, p.position.y, to_degrees(p.heading), match.quality);
+      add_readings(figure, scan, matcher.matcher().model(), p, readings);
+    }
+    break;
+  }
+  poses.write(context.out / "room3-poses.csv");
+  readings.write(context.out / "room3-readings.csv");
+}
+
+}  // namespace
+
+void run_walks(const Context& context) {
+  const int walks = context.repeats(15);
+  const int kinds = static_cast<int>(std::size(kCases));
+  const auto parts = run_all(context, 2 * kinds * walks, [&](int i) {
+    return one_walk(kCases[i / 2 % kinds], i % 2 == 0, i / 2 / kinds);
+  });
+  Table table("figure,world,walk,method,stop,x_m,y_m,true_room,room,error_m,turn_deg");
+  for (const std::string& rows : parts) table.append(rows);
+  table.write(context.out / "walks.csv");
+  show_room_3(context);
+}
+
+}  // namespace echoway::report
