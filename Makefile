@@ -75,3 +75,4 @@ include core-native/verify.mk
 include core-native/import/import.mk
 include app/app.mk
 include core-native/guidance.mk
+include core-native/report.mk

@@ -4,12 +4,12 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from data import feet, group, numbers
-from style import save, table
+from style import plain_log, save, table
 
 
 def draw(groups, out):
     shown = [g for g in groups if not g.startswith("particles")]
-    figure, axes = plt.subplots(1, 2, figsize=(11, 0.36 * sum(len(groups[g]) + 1 for g in shown)), sharey=True)
+    figure, axes = plt.subplots(1, 2, figsize=(11, 0.27 * sum(len(groups[g]) + 1 for g in shown)), sharey=True)
     y, ticks = 0, []
     for name in shown:
         for level, rows in groups[name].items():
@@ -21,8 +21,10 @@ def draw(groups, out):
             y -= 1
         y -= 0.6
     axes[0].set_yticks([t for t, _ in ticks], [label for _, label in ticks])
+    axes[0].set_ylim(y, 1.0)
     for panel in axes:
         panel.set_xscale("log")
+        plain_log(panel.xaxis)
     axes[0].set_xlabel("mean location error of a walk, ft (dot: mean of walks)")
     axes[1].set_xlabel("processor time a firing, µs")
     axes[0].set_title("Error")
@@ -36,11 +38,13 @@ def draw_budget(groups, out):
         levels = sorted(groups[name], key=int)
         time = [np.mean(numbers(groups[name][level], "cpu_us")) for level in levels]
         error = [np.mean(feet(groups[name][level], "mean_m")) for level in levels]
-        axes.plot(time, error, "o-", color=colour, label=name)
+        axes.plot(time, error, "o-", color=colour, label=name.replace("particles ", ""))
         for t, e, level in zip(time, error, levels):
             axes.annotate(level, (t, e), xytext=(5, 5), textcoords="offset points", fontsize=8)
     axes.set_xscale("log")
     axes.set_yscale("log")
+    plain_log(axes.xaxis)
+    plain_log(axes.yaxis)
     axes.set_xlabel("processor time a firing, µs")
     axes.set_ylabel("mean location error, ft")
     axes.set_title("Number of particles: error against time")

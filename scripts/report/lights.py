@@ -4,7 +4,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from data import feet, group, numbers
-from pictures import draw_room, draw_wearer, points
+from pictures import draw_numbers, draw_room, draw_wearer, points
 from style import METHODS, NAMES, save, table
 
 POSE = (17.5, 12.0, 0.0)
@@ -23,9 +23,10 @@ def draw(tables, groups, out):
             colour = "#d55e00" if disturbed and column == "on_m" else "#0072b2"
             panel.plot([POSE[0], x], [POSE[1], y], color="#dddddd", lw=0.8, zorder=1)
             panel.plot(x, y, "D", color=colour, ms=5, zorder=3)
-            panel.annotate(str(int(row["sensor"]) + 1), (x, y), xytext=(5, 4), textcoords="offset points", fontsize=7)
+        draw_numbers(panel, points(POSE, scans, column))
         draw_wearer(panel, POSE, "black", None)
-        panel.set_xlim(-1, 24)
+        panel.set_xlim(-1, 25)
+        panel.set_ylim(-2, 24)
         panel.set_title(title)
         panel.grid(False)
     for method in ("thesis", "tracker without hints", "tracker"):

@@ -44,8 +44,16 @@ def draw_wearer(axes, pose, colour, label):
                   arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 1.4}, zorder=5)
 
 
-def draw_match(axes, place, poses, readings):
-    """Figure 6.5's kind: real readings as diamonds, simulated ones as squares (walls) and circles (corners)."""
+def draw_numbers(axes, placed):
+    """Sensors counted from 1, as the thesis counts them."""
+    for x, y, row in placed:
+        axes.annotate(str(int(row["sensor"]) + 1), (x, y), xytext=(5, 4), textcoords="offset points", fontsize=7,
+                      annotation_clip=True)
+
+
+def draw_match(axes, place, poses, readings, reach=None):
+    """Figure 6.5's kind: real readings as diamonds, simulated ones as squares (walls) and circles (corners); of a long room
+    only what lies within `reach` feet north and south of the match."""
     draw_room(axes, place)
     by_kind = {row["kind"]: pose_of(row) for row in poses}
     best = by_kind["best"]
@@ -57,12 +65,13 @@ def draw_match(axes, place, poses, readings):
         seen.add(label)
     real = points(best, readings, "real_m")
     axes.plot([p[0] for p in real], [p[1] for p in real], "D", color="#0072b2", ms=4.5, label="real (simulated world)", zorder=4)
-    for x, y, row in real:
-        axes.annotate(str(int(row["sensor"]) + 1), (x, y), xytext=(5, 4), textcoords="offset points", fontsize=7)
+    draw_numbers(axes, real)
     draw_wearer(axes, by_kind["true"], "black", "true pose")
     draw_wearer(axes, best, "#d55e00", "matched pose")
-    walls = np.concatenate(place["walls"])
-    low, high = walls.min(axis=0) - 1.5, walls.max(axis=0) + 1.5
+    walls = np.concatenate([*place["walls"], [by_kind["true"][:2], best[:2]]])
+    low, high = walls.min(axis=0) - 2.5, walls.max(axis=0) + 2.5
+    if reach is not None:
+        low[1], high[1] = max(low[1], best[1] - reach), min(high[1], best[1] + reach)
     axes.set_xlim(low[0], high[0])
     axes.set_ylim(low[1], high[1])
     axes.grid(False)

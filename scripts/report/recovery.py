@@ -4,7 +4,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from data import group, numbers
-from style import METHODS, NAMES, save, table
+from style import METHODS, NAMES, legend_below, save, table
 
 BUILDINGS = {"similar-rooms": "similar rooms (4 rooms)", "torgersen-lab": "the lab (7 rooms)", "office": "random offices (9 rooms)",
              "westport-house": "Westport House (7 levels)"}
@@ -25,8 +25,7 @@ def draw(groups, out):
         panel.set_title(title)
         panel.set_xlabel("seconds after being carried off")
     axes[0].set_ylabel("wearers found again, %")
-    handles, labels = axes[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=3)
+    legend_below(figure, axes[0], 3)
     return save(figure, out, "recovery", "Share of wearers found again in time, by building")
 
 

@@ -4,7 +4,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from data import feet, group, numbers
-from style import METHODS, NAMES, save, table
+from style import METHODS, NAMES, legend_below, plain_log, save, table
 
 SHOWN = ("thesis", "tracker without hints", "tracker")
 
@@ -23,6 +23,7 @@ def draw(groups, out):
             panel.plot(x, [np.mean(feet(w, "mean_m")) for w in walks], marker="o", ms=3.5, **METHODS[method])
             panel.plot(x, [np.median(feet(w, "mean_m")) for w in walks], ls="--", lw=1.0, color=METHODS[method]["color"])
         panel.set_yscale("log")
+        plain_log(panel.yaxis)
         panel.set_ylim(0.1, 60)
         panel.set_title(name)
         if len(order) == 2:
@@ -30,8 +31,7 @@ def draw(groups, out):
             panel.set_xlim(-0.4, 1.4)
     for panel in axes[:, 0]:
         panel.set_ylabel("location error, ft")
-    handles, labels = axes[0][0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=3)
+    legend_below(figure, axes[0][0], 3)
     return save(figure, out, "robustness", "Location error against ten nuisances")
 
 

@@ -5,9 +5,10 @@ import numpy as np
 
 from data import feet, group, numbers
 from published import TABLE_6_1, TABLE_6_2_NEW
-from style import METHODS, NAMES, PUBLISHED, save, table
+from style import METHODS, NAMES, PUBLISHED, legend_below, save, table
 
 ROOMS = list(TABLE_6_1)
+TOP = 7.0  # Feet; bars that are longer say how long.
 WITHOUT, WITH = "benches not on the plan", "benches on the plan"
 
 
@@ -33,15 +34,16 @@ def draw_errors(groups, out):
             x = np.arange(len(rooms)) - 0.4 + (i + 0.5) * width
             low = np.minimum(spread, means)
             panel.bar(x, means, 0.92 * width, yerr=[low, spread], error_kw={"lw": 0.8, "ecolor": "#666666"}, **look)
+            for at, mean in zip(x, means):
+                if mean > TOP:
+                    panel.text(at, TOP - 0.15, f"{mean:.0f}", ha="center", va="top", fontsize=7, color="white", fontweight="bold")
         panel.set_xticks(range(len(rooms)), [label(room) for room in rooms])
         panel.set_title(title)
         panel.grid(axis="x", visible=False)
     axes[0].set_ylabel("location error, ft: mean and standard deviation")
-    top = max(panel.get_ylim()[1] for panel in axes)
     for panel in axes:
-        panel.set_ylim(0, min(top, 12))
-    handles, labels = axes[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=len(labels))
+        panel.set_ylim(0, TOP)
+    legend_below(figure, axes[0], 5)
     return save(figure, out, "single-room", "Location error by room, thesis's own beside ours")
 
 
@@ -59,7 +61,8 @@ def draw_quality(groups, out):
         panel.set_title(title)
         panel.grid(axis="x", visible=False)
     axes[0].set_ylabel("objective over the room's range, %")
-    axes[0].legend()
+    axes[0].legend(loc="upper left")
+    axes[0].set_ylim(top=1.25 * axes[0].get_ylim()[1])
     return save(figure, out, "quality", "Normalised quality of match by room")
 
 

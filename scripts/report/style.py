@@ -4,6 +4,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator  # noqa: E402
 
 FEET = 0.3048
 DPI = 110
@@ -36,9 +37,21 @@ plt.rcParams.update({
 })
 
 
+def plain_log(axis):
+    """A logarithmic axis with numbers as people write them."""
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.set_minor_locator(NullLocator())
+
+
+def legend_below(figure, axes, columns):
+    """One legend for all panels, below them, of what `axes` shows."""
+    figure.legend(*axes.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=columns)
+
+
 def save(figure, out, name, alt):
     """Writes the picture; the Markdown that shows it."""
-    figure.savefig(out / f"{name}.png", dpi=DPI)
+    figure.savefig(out / f"{name}.png", dpi=DPI, bbox_inches="tight")
     plt.close(figure)
     return f"![{alt}]({name}.png)"
 

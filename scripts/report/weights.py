@@ -6,7 +6,7 @@ import numpy as np
 from data import feet, group
 from pictures import draw_match
 from published import EQUAL_TO_UNEQUAL, EQUAL_WEIGHTS, UNEQUAL_WEIGHTS
-from style import METHODS, NAMES, save
+from style import METHODS, NAMES, legend_below, save
 
 
 def draw_one_place(tables, out):
@@ -19,8 +19,7 @@ def draw_one_place(tables, out):
         errors.append(off)
         draw_match(panel, tables.room("sample-room", "sample"), poses[name], readings[name])
         panel.set_title(f"Figure {name}: {title}, {off:.2f} ft off")
-    handles, labels = axes[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=len(labels))
+    legend_below(figure, axes[0], 6)
     return save(figure, out, "weights-match", "One place matched with equal and with unequal weights"), errors
 
 

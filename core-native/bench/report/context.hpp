@@ -12,10 +12,10 @@ namespace echoway::report {
 /// How an experiment is to be run.
 struct Context {
   std::filesystem::path out;  ///< Folder for its tables.
-  bool quick = false;         ///< A fifth of the walks.
+  bool quick = false;         ///< A quarter of the walks.
   int threads = 1;
 
-  [[nodiscard]] int repeats(int full) const noexcept { return quick ? (full + 4) / 5 : full; }
+  [[nodiscard]] int repeats(int full) const noexcept { return quick ? (full + 3) / 4 : full; }
 };
 
 /// `work(0)` ... `work(count - 1)` on the context's threads; the results in that order, whatever the number of threads.

@@ -91,7 +91,7 @@ std::string one_walk(const std::vector<Variant>& all, int number) {
 
 void run_ablations(const Context& context) {
   const std::vector<Variant> all = variants();
-  const auto parts = run_all(context, context.repeats(30), [&](int i) { return one_walk(all, i); });
+  const auto parts = run_all(context, context.repeats(24), [&](int i) { return one_walk(all, i); });
   Table table(kRoamColumns);
   for (const std::string& rows : parts) table.append(rows);
   table.write(context.out / "ablations.csv");

@@ -10,36 +10,41 @@ namespace {
 
 constexpr double kSpacing = feet(0.25);
 
-sim::Simulation stand(const Building& world, std::string_view room, const Pose2& pose, std::uint64_t seed) {
+struct Case {
+  std::string_view figure;
+  const Building& plan;
+  std::string_view room;
+  Pose2 truth;
+  sim::World furnished;
+};
+
+sim::Simulation stand(const Case& c, const sim::World& world) {
   sim::Walk walk;
-  walk.seed = seed;
-  walk.world = world_of_room(room);
-  walk.start = {std::string(room), pose.position};
-  walk.start_heading = pose.heading;
+  walk.seed = 65;
+  walk.world = world;
+  walk.start = {std::string(c.room), c.truth.position};
+  walk.start_heading = c.truth.heading;
   walk.add(sim::Pause{pause_for(walk.belt)});
-  return walk_through(world, walk);
+  return walk_through(c.plan, walk);
 }
 
-void show_case(std::string_view figure, std::string_view room, const Pose2& truth, std::uint64_t seed, const Building& lab,
-               Table& poses, Table& readings, Table& surface) {
-  const RoomIndex index = lab.find_room(room);
-  const sim::Simulation walk = stand(lab, room, truth, seed);
-  const Stop stop = find_stops(lab, walk).front();
-  Random random(seed);
+void show_case(const Case& c, Table& poses, Table& readings, Table& surface) {
+  const RoomIndex index = c.plan.find_room(c.room);
   const BeltConfig belt{};
-  RoomMatcher matcher(lab, index, belt, {});
-  const thesis::Scan scan = scan_at(stop, walk, {});
-  const thesis::Match match = matcher.match(scan, approximate(lab.room(index), truth, random));
-  poses.add(figure, room, "true", truth.position.x, truth.position.y, to_degrees(truth.heading), 0.0, 0.0);
-  poses.add(figure, room, "best", match.pose.position.x, match.pose.position.y, to_degrees(match.pose.heading),
-            match.objective_m, match.quality);
-  add_readings(figure, scan, matcher.matcher().model(), match.pose, readings);
-  for (const bool printed : {true, false}) {
-    const ThesisParameters parameters = printed ? ThesisParameters::as_printed() : ThesisParameters{};
-    RoomMatcher of_variant(lab, index, belt, parameters);
-    for (const auto& point : error_surface(of_variant, scan, truth.heading, lab.room(index), kSpacing).points) {
-      surface.add(figure, printed ? "as printed" : "thesis", point.at.x, point.at.y, point.objective_m);
+  RoomMatcher matcher(c.plan, index, belt, ThesisParameters::as_printed());
+  for (const bool bare : {true, false}) {
+    const sim::Simulation walk = stand(c, bare ? sim::make_world(sim::Profile::empty) : c.furnished);
+    const thesis::Scan scan = scan_at(find_stops(c.plan, walk).front(), walk, {});
+    for (const auto& point : error_surface(matcher, scan, c.truth.heading, c.plan.room(index), kSpacing).points) {
+      surface.add(c.figure, bare ? "bare" : "furnished", point.at.x, point.at.y, point.objective_m);
     }
+    if (bare) continue;
+    Random random(1);
+    const thesis::Match match = matcher.match(scan, approximate(c.plan.room(index), c.truth, random));
+    const Pose2& p = match.pose;
+    poses.add(c.figure, c.room, "true", c.truth.position.x, c.truth.position.y, to_degrees(c.truth.heading), 0.0, 0.0);
+    poses.add(c.figure, c.room, "best", p.position.x, p.position.y, to_degrees(p.heading), match.objective_m, match.quality);
+    add_readings(c.figure, scan, matcher.matcher().model(), p, readings);
   }
 }
 
@@ -83,11 +88,13 @@ Table many_places(const Context& context, const Building& lab) {
 
 void run_match(const Context& context) {
   const Building lab = load_plan("torgersen-lab");
+  const Building sample = load_plan("sample-room");
   Table poses("figure,room,kind,x_m,y_m,heading_deg,objective_m,quality");
   Table readings(kReadingColumns);
-  Table surface("figure,variant,x_m,y_m,objective_m");
-  show_case("6.5", "1", {{feet(8.0), feet(5.0)}, degrees(75.0)}, 65, lab, poses, readings, surface);
-  show_case("6.7", "5", {{feet(12.0), feet(11.0)}, degrees(20.0)}, 67, lab, poses, readings, surface);
+  Table surface("figure,world,x_m,y_m,objective_m");
+  show_case({"6.5", lab, "1", {{feet(8.0), feet(5.0)}, degrees(75.0)}, world_of_room("1")}, poses, readings, surface);
+  show_case({"6.7", sample, "sample", {{feet(12.0), feet(11.0)}, degrees(20.0)}, sim::make_world(sim::Profile::furnished)}, poses,
+            readings, surface);
   poses.write(context.out / "match-poses.csv");
   readings.write(context.out / "match-readings.csv");
   surface.write(context.out / "match-surface.csv");

@@ -109,7 +109,7 @@ void run_robustness(const Context& context) {
   std::vector<Job> jobs;
   for (const Nuisance& nuisance : all) {
     for (const double level : nuisance.levels) {
-      for (int number = 0; number < context.repeats(20); ++number) jobs.push_back({&nuisance, level, number});
+      for (int number = 0; number < context.repeats(16); ++number) jobs.push_back({&nuisance, level, number});
     }
   }
   const auto parts = run_all(context, static_cast<int>(jobs.size()),

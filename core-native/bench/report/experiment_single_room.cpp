@@ -65,7 +65,7 @@ std::string one_set(const Building& lab, const Building& bare, const std::string
 void run_single_room(const Context& context) {
   const Building lab = load_plan("torgersen-lab");
   const Building bare = without_reflectors(lab);
-  const int sets = context.quick ? 3 : 12;  // The thesis has three; more make steadier figures.
+  const int sets = context.quick ? 3 : 9;  // The thesis has three; more make steadier figures.
   const int rooms = static_cast<int>(kRooms.size());
   const auto parts = run_all(context, rooms * sets, [&](int i) {
     return one_set(lab, bare, kRooms[static_cast<std::size_t>(i % rooms)], 1 + i / rooms);

@@ -79,7 +79,7 @@ void show_one_place(const Context& context, const Building& room) {
 
 void run_weights(const Context& context) {
   const Building room = load_plan("sample-room");
-  const auto parts = run_all(context, context.repeats(20), [&](int i) { return one_walk(room, i); });
+  const auto parts = run_all(context, context.repeats(16), [&](int i) { return one_walk(room, i); });
   Table table("walk,method,weight,stop,error_m,turn_deg");
   for (const std::string& rows : parts) table.append(rows);
   table.write(context.out / "weights.csv");

@@ -63,6 +63,36 @@ Pose2 approximate(const Room& room, const Pose2& truth, Random& random) {
   return truth;
 }
 
+std::vector<Pose2> random_places(const Room& room, int count, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Pose2> places;
+  for (int i = 0; i < count; ++i) {
+    const Vec2 at = random_place(room, random);
+    places.push_back({at, random.uniform(-kPi, kPi)});
+  }
+  return places;
+}
+
+std::vector<thesis::Scan> scans_at(const Building& world, std::string_view room, const std::vector<Pose2>& places,
+                                   const sim::World& contents, std::uint64_t seed) {
+  const sim::Ring ring{};
+  const ThesisParameters parameters{};
+  std::vector<TruthRow> stands;
+  for (const Pose2& place : places) {
+    for (int pass = 0; pass < parameters.passes; ++pass) {
+      stands.push_back({static_cast<double>(stands.size()) * ring.belt.sensors * ring.belt.slot_s, std::string(room), place});
+    }
+  }
+  const auto log = sim::scan_at(world, contents, ring, stands, seed);
+  if (!log) throw std::runtime_error(log.error().to_string());
+  std::vector<thesis::Scan> scans;
+  thesis::ScanAssembler assembler(ring.belt, parameters);
+  for (const Firing& firing : log->firings) {
+    if (assembler.add(firing)) scans.push_back(assembler.scan());
+  }
+  return scans;
+}
+
 sim::Walk walk_of_places(const Building& world, std::string_view room, int places, const sim::World& contents,
                          std::uint64_t seed) {
   Random random(seed);
