@@ -1,12 +1,14 @@
 // The proof of guidance: blindfolded wearers walk through buildings by cues alone. One row a walk, as CSV.
 //   guidance_proof OUT.csv TRACES.csv WALKS SOURCE MAP...
 // SOURCE: noise (truth with 0.12 m and 4 degrees of drifting error), empty or furnished (the tracker on the simulated
-// world's echoes, told where the walk starts), search (the tracker told nothing, in a furnished world). A MAP is a
+// world's echoes, told where the walk starts), search (the tracker told nothing, in a furnished world), cluttered (as
+// furnished, but things stand on the way as well), obstacles (the same with the noisy truth instead of the tracker). A MAP is a
 // building's folder, or office, grid, levels for one made here.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <numeric>
+#include <optional>
 #include <string>
 
 #include "echoway/building/loader.hpp"
@@ -40,6 +42,34 @@ struct Files {
   std::FILE* traces;
 };
 
+/// A way of which only the ends are kept free.
+Route ends_of(const Route& way) {
+  Route ends;
+  for (const Waypoint& w : {way.waypoints.front(), way.waypoints.back()}) {
+    ends.waypoints.push_back(w);
+    ends.waypoints.push_back(w);
+    ends.waypoints.back().kind = WaypointKind::link_to;  // nothing lies between the two
+  }
+  return ends;
+}
+
+/// The shortest way for who knows where everything stands; none when there is no room to pass.
+std::optional<double> shortest_round_things(const Building& plan, proof::TrackedPose& world, const Spot& start,
+                                            const Spot& end) {
+  Building furnished = plan;
+  for (std::size_t i = 0; i < furnished.rooms.size(); ++i) {
+    for (const Segment& s : world.things(static_cast<RoomIndex>(i))) {
+      // A post has no length, which a wall needs.
+      const Vec2 b = s.length() > 0.0 ? s.b : s.b + Vec2{0.01, 0.0};
+      furnished.rooms[i].reflectors.push_back({s.a, b});
+    }
+  }
+  const Router router(furnished);
+  const Result<Route> way = router.find_route(start, {Goal::Kind::spot, 0, end});
+  if (!way) return std::nullopt;
+  return walked_length(*way);
+}
+
 void walk(const std::string& name, const Router& router, const std::string& source, std::uint64_t seed, Files out) {
   Random random(7000 + seed);
   Spot start = test::random_spot(router, random);
@@ -51,6 +81,7 @@ void walk(const std::string& name, const Router& router, const std::string& sour
     way = router.find_route(start, {Goal::Kind::spot, 0, end});
   }
   const double heading = random.uniform(-kPi, kPi);
+  std::optional<double> shortest;
   std::unique_ptr<test::PoseSource> poses;
   proof::TrackedPose* tracked = nullptr;
   if (source == "noise") {
@@ -58,23 +89,31 @@ void walk(const std::string& name, const Router& router, const std::string& sour
   } else {
     Start known;
     if (source != "search") known = {start.room, start.at, heading};
-    Random of_world(seed + 99);
-    const sim::World world = sim::random_world(source == "empty" ? sim::Profile::empty : sim::Profile::furnished, of_world);
-    auto chain = std::make_unique<proof::TrackedPose>(router, world, *way, known, seed);
-    tracked = chain.get();
-    poses = std::move(chain);
+    const bool in_the_way = source == "obstacles" || source == "cluttered";
+    const bool by_truth = source == "obstacles";
+    for (std::uint64_t attempt = 0; tracked == nullptr; ++attempt) {
+      Random of_world(seed + 99 + 1000 * attempt);
+      const sim::World world = sim::random_world(source == "empty" ? sim::Profile::empty : sim::Profile::furnished, of_world);
+      auto chain = std::make_unique<proof::TrackedPose>(
+          router, world, in_the_way ? ends_of(*way) : *way, known, seed + 1000 * attempt,
+          by_truth ? std::make_unique<test::NoisyTruth>(0.12, degrees(4.0), seed) : nullptr);
+      if (in_the_way) shortest = shortest_round_things(router.building(), *chain, start, end);
+      if (in_the_way && !shortest) continue;  // somebody has barred the only way with a cupboard
+      tracked = chain.get();
+      poses = std::move(chain);
+    }
   }
   const test::WalkOutcome o =
-      test::walk_blindfolded(router, start, heading, {Goal::Kind::spot, 0, end}, *poses, {}, seed);
+      test::walk_blindfolded(router, start, heading, {Goal::Kind::spot, 0, end}, *poses, {}, seed, shortest);
   double error = 0.0;
   double right = 1.0;
   if (tracked != nullptr && !tracked->errors().empty()) {
     error = std::accumulate(tracked->errors().begin(), tracked->errors().end(), 0.0) / static_cast<double>(tracked->errors().size());
     right = tracked->room_right();
   }
-  std::fprintf(out.rows, "%s,%s,%llu,%d,%.1f,%.2f,%.2f,%d,%d,%d,%zu,%.2f,%.3f,%.3f\n", name.c_str(), source.c_str(),
+  std::fprintf(out.rows, "%s,%s,%llu,%d,%.1f,%.2f,%.2f,%d,%d,%d,%zu,%.2f,%.3f,%.3f,%d\n", name.c_str(), source.c_str(),
                static_cast<unsigned long long>(seed), o.arrived ? 1 : 0, o.time_s, o.walked_m, o.shortest_m, o.touches,
-               o.wrong_cues, o.instructions, o.cues.size(), o.end_error_m, error, right);
+               o.wrong_cues, o.instructions, o.cues.size(), o.end_error_m, error, right, o.bumps);
   std::fflush(out.rows);
   constexpr std::uint64_t kDrawn = 6;
   if (seed >= kDrawn) return;

@@ -36,12 +36,13 @@ BayesOptions options_of(std::uint64_t seed) {
 }  // namespace
 
 TrackedPose::TrackedPose(const Router& router, const sim::World& world, const Route& route, const Start& start,
-                         std::uint64_t seed)
+                         std::uint64_t seed, std::unique_ptr<test::NoisyTruth> truth)
     : building_(router.building()),
       world_(world),
       plan_(building_),
       belt_(plan_, config_, bearings_of(config_), world_, footprint_of(building_, route), seed),
       locator_(building_, config_, start, options_of(seed)),
+      truth_(std::move(truth)),
       random_(seed + 17) {
   if (start.room) last_heading_ = start.heading.value_or(0.0) + building_.room(*start.room).frame.heading;
 }
@@ -104,6 +105,11 @@ void TrackedPose::fire(const sim::Moment& at, Guide& guide) {
   moment.stride = kPi * steps_;
   const Firing firing = belt_.fire(moment, static_cast<int>(index_ % config_.sensors), index_);
   ++index_;
+  if (truth_ != nullptr) {
+    guide.on_firing(firing);
+    if (!moment.between.present) truth_->observe(moment.time_s, moment.room, moment.pose, moment.speed, guide);
+    return;
+  }
   if (!locator_.on_firing(firing)) return;
   const Estimate& e = locator_.estimate();
   if (!moment.between.present) ++observations_;

@@ -16,8 +16,12 @@ namespace echoway::proof {
 /// tracker's model share no code.
 class TrackedPose : public test::PoseSource {
  public:
-  /// `route`: what is kept free of furniture. `start`: what the tracker is told.
-  TrackedPose(const Router& router, const sim::World& world, const Route& route, const Start& start, std::uint64_t seed);
+  /// `route`: what is kept free of furniture. `start`: what the tracker is told. With `truth`, the guide gets that noisy
+  /// truth instead of the tracker's estimates, and the echoes only for what stands in the way.
+  TrackedPose(const Router& router, const sim::World& world, const Route& route, const Start& start, std::uint64_t seed,
+              std::unique_ptr<test::NoisyTruth> truth = nullptr);
+
+  [[nodiscard]] std::vector<Segment> things(RoomIndex room) override { return belt_.things(room); }
 
   void observe(double time_s, RoomIndex room, const Pose2& pose, double speed, Guide& guide) override;
   void observe_between(double time_s, const test::Crossing& crossing, Guide& guide) override;
@@ -38,6 +42,7 @@ class TrackedPose : public test::PoseSource {
   sim::FloorPlan plan_;
   sim::Belt belt_;
   BayesLocator locator_;
+  std::unique_ptr<test::NoisyTruth> truth_;
   Random random_;
   std::int64_t index_ = 0;
   double last_time_ = 0.0;

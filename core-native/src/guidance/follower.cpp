@@ -102,6 +102,8 @@ void Follower::stop() {
   suspended_until_ = -1e300;
   landing_ = kNoRoom;
   bound_for_.room = kNoRoom;
+  stretch_m_ = -1.0;
+  hindrances_.clear();
 }
 
 double Follower::lead(const View& view, const Cue& cue) const noexcept {
@@ -149,6 +151,7 @@ bool Follower::clear_ahead(const View& view, const Cue& cue, double direction, d
       const Vec2 way = unit_from_angle(pose.heading + understood(direction) + side * kWobble);
       for (const double error : {-sigma, sigma}) {
         if (space.reach(there + error * perpendicular(way), way, needed) < needed) return false;
+        if (hindrances_.reach(view.estimate->room, view.now, there, way, needed) < needed) return false;
       }
     }
   }
@@ -191,6 +194,7 @@ bool Follower::find_way(const Estimate& e) {
     route_ = std::move(*back);
   }
   lay_out(route_, router_->building(), line_);
+  hindrances_.bend(router_->space(e.room), e.room, e.time_s, line_);
   new_doors_.clear();
   for (const Waypoint& w : route_.waypoints) {
     if (w.kind == WaypointKind::door || w.kind == WaypointKind::link_from) new_doors_.push_back(w.index);
@@ -334,10 +338,31 @@ void Follower::aim(View& view) {
   view.off = wrap_angle(heading - e.pose.heading);
 }
 
+/// Who was told how far to go, went, and stands well short of it has met something that no sensor saw.
+void Follower::note_touch(const View& view) noexcept {
+  const Estimate& e = *view.estimate;
+  if (stretch_m_ < 0.0) return;
+  if (stretch_from_.room != e.room) {
+    stretch_m_ = -1.0;
+    return;
+  }
+  if (view.walking) stretch_begun_ = true;
+  constexpr double kStands = 1.5;    // s
+  constexpr double kShort = 0.7;     // share of what was told
+  constexpr double kAhead = 0.4;     // from the wearer's middle to what was touched, metres
+  if (view.walking || !stretch_begun_ || view.now - still_since_ < kStands) return;
+  const double gone = distance(e.pose.position, stretch_from_.at);
+  if (gone < kShort * stretch_m_ && stretch_m_ - gone > 0.6) {
+    hindrances_.add(e.room, e.pose.position + kAhead * unit_from_angle(e.pose.heading), view.now);
+  }
+  stretch_m_ = -1.0;
+}
+
 void Follower::note_progress(const View& view) {
   least_cost_ = std::min(least_cost_, route_.cost);
   if (view.walking || was_walking_ != view.walking) still_since_ = view.now;
   was_walking_ = view.walking;
+  note_touch(view);
   if (told_door_ >= 0 && std::find(new_doors_.begin(), new_doors_.end(), told_door_) == new_doors_.end()) told_door_ = -1;
 }
 
@@ -450,6 +475,7 @@ bool Follower::take_link(const View& view, Announcer& voice) {
 
 void Follower::hold_after(const Cue& cue, const View& view) {
   const double now = view.now;
+  if (cue.kind != CueKind::bear) stretch_m_ = -1.0;
   constexpr double kNear = 2.0;
   const bool sent = cue.kind != CueKind::stop || cue.tail.present;
   if (sent && !slanting_ && !view.at_turn && view.target_away < kNear && bound_for_.room != view.estimate->room) {
@@ -518,7 +544,7 @@ bool Follower::turn_in_tight_spot(const View& view, Announcer& voice) {
       if (cost >= best || !space.clear_between(pose.position, there, config_->body_m)) continue;
       Estimate then = *view.estimate;
       then.pose = {there, wrap_angle(pose.heading + direction)};
-      const View seen{.estimate = &then};
+      const View seen{.estimate = &then, .now = view.now};
       const double off = told(direction_to(then.pose, view.target));
       if (!in_reach(then, view.target) || !clear_ahead(seen, make_cue(CueKind::turn), off, kFaceWall)) continue;
       best = cost;
@@ -630,6 +656,9 @@ bool Follower::go_on(const View& view, Announcer& voice) {
   if (!voice.offer(cue, view.now)) return false;
   new_way_ = false;
   straight_due_ = false;
+  stretch_m_ = along;
+  stretch_from_ = {view.estimate->room, view.estimate->pose.position};
+  stretch_begun_ = view.walking;
   hold_until_ = view.now + spoken_seconds(cue, *config_) + reaction_s_ + (amend ? 0.8 : 0.4);
   last_said_ = view.now;
   return true;

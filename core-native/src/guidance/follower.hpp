@@ -8,6 +8,7 @@
 #include "echoway/locate/locator.hpp"
 #include "echoway/routing/router.hpp"
 #include "guidance/announcer.hpp"
+#include "guidance/hindrances.hpp"
 #include "guidance/route_line.hpp"
 
 namespace echoway::guidance {
@@ -16,7 +17,7 @@ namespace echoway::guidance {
 class Follower {
  public:
   Follower(const Router& router, const GuideConfig& config)
-      : router_(&router), config_(&config), reaction_s_(config.reaction_s) {}
+      : router_(&router), config_(&config), hindrances_(config), reaction_s_(config.reaction_s) {}
 
   void lead_to(RouteTree tree);
   void lead_back(std::vector<Spot> crumbs);
@@ -26,6 +27,9 @@ class Follower {
 
   /// Offers at most one line to `voice`. `vague`: only coarse instructions.
   void update(const Estimate& estimate, bool vague, Announcer& voice);
+
+  /// Something that no plan knows stands at `at` in the wearer's room: the way is laid round it.
+  void note_obstacle(const Estimate& estimate, Vec2 at) noexcept { hindrances_.add(estimate.room, at, estimate.time_s); }
 
   /// What to do next from here, as the tail of another line.
   [[nodiscard]] CueTail next_step(const Estimate& estimate);
@@ -59,6 +63,7 @@ class Follower {
   [[nodiscard]] double lead(const View& view, const Cue& cue) const noexcept;
   [[nodiscard]] bool clear_ahead(const View& view, const Cue& cue, double direction, double needed) const noexcept;
   [[nodiscard]] bool grazes(const View& view) const noexcept;
+  void note_touch(const View& view) noexcept;
   [[nodiscard]] BoundFor bound_for(const Estimate& estimate) const;
   [[nodiscard]] bool find_way(const Estimate& estimate);
   [[nodiscard]] View look(const Estimate& estimate, bool vague);
@@ -89,6 +94,7 @@ class Follower {
   std::vector<Spot> crumbs_;
   Route route_;
   std::vector<LinePoint> line_;
+  Hindrances hindrances_;
   std::vector<std::int32_t> doors_;      ///< Of the way that was told, in order.
   std::vector<std::int32_t> new_doors_;
   bool new_way_ = false;                 ///< It leads through other doors than the wearer was told.
@@ -109,6 +115,10 @@ class Follower {
   // position do not send them to and fro.
   Spot bound_for_{};
   double bound_since_ = -1e300;
+  // A stretch that was told and begun: who stops well short of its end has met something.
+  double stretch_m_ = -1.0;              ///< Negative: none.
+  Spot stretch_from_{};
+  bool stretch_begun_ = false;
   double still_since_ = -1e300;
   bool was_walking_ = false;
   std::int32_t told_door_ = -1;

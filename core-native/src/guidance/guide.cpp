@@ -203,6 +203,9 @@ void Guide::Impl::note_room() {
 
 void Guide::Impl::tell_obstacle() {
   const double now = estimate.time_s;
+  if (certainty.level() == Certainty::Level::sure) {
+    obstacles.steady(estimate, [&](Vec2 at) { follower.note_obstacle(estimate, at); });
+  }
   if (certainty.level() != Certainty::Level::sure || now - obstacle_told < config.repeat_gap_s) return;
   const double reach = config.obstacle_m + std::max(0.0, estimate.speed_mps) * (config.reaction_s + 1.2);
   const auto thing = obstacles.nearest(estimate, reach);

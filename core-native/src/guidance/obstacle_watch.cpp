@@ -36,21 +36,24 @@ void ObstacleWatch::on_firing(const Firing& firing, const Estimate& e) noexcept 
   hits_[count_++ % kHits] = {firing.time_s, e.room, at};
 }
 
+bool ObstacleWatch::is_steady(const Hit& hit, const Estimate& e) const noexcept {
+  const auto recent = [&](const Hit& h) { return h.room == e.room && e.time_s - h.time_s <= kMemory; };
+  if (!recent(hit)) return false;
+  int agree = 0;
+  for (std::size_t i = 0; i < std::min(count_, kHits); ++i) {
+    agree += recent(hits_[i]) && distance(hits_[i].at, hit.at) <= kSame ? 1 : 0;
+  }
+  return agree >= config_->obstacle_firings;
+}
+
 ObstacleWatch::Sighting ObstacleWatch::nearest(const Estimate& e, double reach) const noexcept {
   Sighting best;
-  const std::size_t kept = std::min(count_, kHits);
-  const auto recent = [&](const Hit& h) { return h.room == e.room && e.time_s - h.time_s <= kMemory; };
-  for (std::size_t i = 0; i < kept; ++i) {
-    const Hit& hit = hits_[i];
-    if (!recent(hit)) continue;
-    int agree = 0;
-    for (std::size_t j = 0; j < kept; ++j) agree += recent(hits_[j]) && distance(hits_[j].at, hit.at) <= kSame ? 1 : 0;
-    if (agree < config_->obstacle_firings) continue;
-    const Vec2 local = e.pose.inverse_transform(hit.at);
+  steady(e, [&](Vec2 at) {
+    const Vec2 local = e.pose.inverse_transform(at);
     const double away = std::max(0.0, norm(local) - config_->belt.radius_m);
-    if (local.x <= 0.0 || std::abs(local.y) > kCorridor || away > reach) continue;
+    if (local.x <= 0.0 || std::abs(local.y) > kCorridor || away > reach) return;
     if (!best.present || away < best.distance_m) best = {true, away, std::atan2(local.y, local.x)};
-  }
+  });
   return best;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -19,6 +20,15 @@ class ObstacleWatch {
   void on_firing(const Firing& firing, const Estimate& estimate) noexcept;
   void clear() noexcept { count_ = 0; }
 
+  /// Calls `take(Vec2 at)` for everything near that enough firings agree on, in the frame of the estimate's room.
+  template <class Take>
+  void steady(const Estimate& estimate, Take take) const {
+    const std::size_t kept = std::min(count_, kHits);
+    for (std::size_t i = 0; i < kept; ++i) {
+      if (is_steady(hits_[i], estimate)) take(hits_[i].at);
+    }
+  }
+
   struct Sighting {
     bool present = false;
     double distance_m = 0.0;  ///< From the wearer's chest.
@@ -34,6 +44,7 @@ class ObstacleWatch {
     Vec2 at{};
   };
   static constexpr std::size_t kHits = 16;
+  [[nodiscard]] bool is_steady(const Hit& hit, const Estimate& estimate) const noexcept;
 
   const Router* router_;
   const GuideConfig* config_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <map>
 
 #include "echoway/speech/speaker.hpp"
 
@@ -55,7 +56,8 @@ double line_seconds(const Cue& cue) {
 /// The true world and a body in it.
 class Body {
  public:
-  Body(const Router& router, const Spot& start, double heading) : router_(router), room_(start.room), pose_{start.at, heading} {}
+  Body(const Router& router, const Spot& start, double heading, PoseSource& source)
+      : router_(router), source_(source), room_(start.room), pose_{start.at, heading} {}
 
   [[nodiscard]] RoomIndex room() const { return room_; }
   [[nodiscard]] const Pose2& pose() const { return pose_; }
@@ -70,13 +72,16 @@ class Body {
     return router_.space(room_).reach(pose_.position, unit_from_angle(pose_.heading + direction), 20.0);
   }
 
-  /// Moves; false when a wall is met (then it stays).
-  bool move(double direction, double length) {
+  enum class Met : std::uint8_t { nothing, wall, thing };
+
+  /// Moves, unless something is met.
+  Met move(double direction, double length) {
     const Vec2 to = pose_.position + length * unit_from_angle(pose_.heading + direction);
     const FreeSpace& space = router_.space(room_);
     const double now = space.clearance(pose_.position);
     const double then = space.clearance(to);
-    if (then < kBody && then < now) return false;
+    if (then < kBody && then < now) return Met::wall;
+    if (meets_thing(to)) return Met::thing;
     const Segment step{pose_.position, to};
     for (const Passage& p : space.passages()) {
       const Door& door = router_.building().doors[static_cast<std::size_t>(p.door)];
@@ -85,10 +90,10 @@ class Body {
       const Segment opening{p.centre - 0.5 * door.width * along, p.centre + 0.5 * door.width * along};
       if (dot(to - p.centre, p.inward) >= 0.0 || !intersects(step, opening)) continue;
       enter(p, door, to);
-      return true;
+      return Met::nothing;
     }
     pose_.position = to;
-    return true;
+    return Met::nothing;
   }
 
  private:
@@ -105,9 +110,20 @@ class Body {
     room_ = next;
   }
 
+  bool meets_thing(Vec2 to) {
+    const auto [known, is_new] = things_.try_emplace(room_);
+    if (is_new) known->second = source_.things(room_);
+    return std::any_of(known->second.begin(), known->second.end(), [&](const Segment& s) {
+      const double then = echoway::distance(s, to);
+      return then < kBody && then < echoway::distance(s, pose_.position);
+    });
+  }
+
   const Router& router_;
+  PoseSource& source_;
   RoomIndex room_;
   Pose2 pose_;
+  std::map<RoomIndex, std::vector<Segment>> things_;
 };
 
 class Wearer {
@@ -188,8 +204,9 @@ class Wearer {
   void walk() {
     const double length = speed_ * kTick;
     body_.turn(random_.normal(0.0, model_.veer) * std::sqrt(length));
-    if (!body_.move(0.0, length)) {
-      ++outcome_.touches;
+    const Body::Met met = body_.move(0.0, length);
+    if (met != Body::Met::nothing) {
+      ++(met == Body::Met::wall ? outcome_.touches : outcome_.bumps);
       walking_ = false;
       body_.move(kPi, 0.15);  // steps back from what was touched
       return;
@@ -360,16 +377,17 @@ Spot random_spot(const Router& router, Random& random) {
 }
 
 WalkOutcome walk_blindfolded(const Router& router, const Spot& start, double heading, const Goal& goal,
-                             PoseSource& source, const WearerModel& model, std::uint64_t seed) {
+                             PoseSource& source, const WearerModel& model, std::uint64_t seed,
+                             std::optional<double> shortest_m) {
   WalkOutcome outcome;
   Random random(seed);
-  Body body(router, start, heading);
+  Body body(router, start, heading, source);
   Wearer wearer(router, body, model, random, outcome);
   const Speaker speaker(router.building());
   Guide guide(router);
   const Result<Route> best = router.find_route(start, goal);
   if (!best || !guide.set_destination(goal)) return outcome;
-  outcome.shortest_m = walked_length(*best);
+  outcome.shortest_m = shortest_m.value_or(walked_length(*best));
   const double limit = 60.0 + 5.0 * best->length_m / model.speed_low;
   double last_trace = -1.0;
   for (double now = 0.0; now < limit && !wearer.done(); now += kTick) {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,8 @@ class PoseSource {
   /// The wearer is between two levels. By default nothing new is known meanwhile.
   virtual void observe_between(double /*time_s*/, const Crossing& /*crossing*/, Guide& /*guide*/) {}
   virtual void on_level_transition(const LevelTransition&) {}
+  /// What stands in a room and is in no plan; a wearer who walks into it is stopped. In the room's frame.
+  [[nodiscard]] virtual std::vector<Segment> things(RoomIndex /*room*/) { return {}; }
 };
 
 /// The truth with an error that drifts as a tracker's does (first-order Gauss-Markov, 3 s).
@@ -79,7 +82,8 @@ struct WalkOutcome {
   double time_s = 0.0;
   double walked_m = 0.0;
   double shortest_m = 0.0;
-  int touches = 0;      ///< Times a wall was walked into.
+  int touches = 0;      ///< Times a wall was walked into,
+  int bumps = 0;        ///< and times something that no plan knows was.
   int wrong_cues = 0;   ///< Instructions that pointed into a wall.
   int instructions = 0;
   double end_error_m = 0.0;
@@ -89,9 +93,10 @@ struct WalkOutcome {
 };
 
 /// Walks one wearer from `start` to `goal` by cues alone. Gives up after a time that a slow walker would need five times
-/// over. The same arguments give the same walk.
+/// over. The same arguments give the same walk. `shortest_m` is the shortest way by the plan unless `shortest_m` is given.
 WalkOutcome walk_blindfolded(const Router& router, const Spot& start, double heading, const Goal& goal,
-                             PoseSource& source, const WearerModel& model, std::uint64_t seed);
+                             PoseSource& source, const WearerModel& model, std::uint64_t seed,
+                             std::optional<double> shortest_m = std::nullopt);
 
 /// A spot at least 0.5 m from walls in a random room.
 Spot random_spot(const Router& router, Random& random);

@@ -22,6 +22,9 @@ class Belt {
   /// The `index`-th firing. Moments must not go back in time.
   Firing fire(const Moment& moment, int sensor, std::int64_t index);
 
+  /// What stands about in a room (see FloorWorld::things).
+  [[nodiscard]] std::vector<Segment> things(RoomIndex room) { return floor_.things(room); }
+
   void happens(const Action& action, double now_s);
 
  private:

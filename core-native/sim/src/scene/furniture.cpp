@@ -130,7 +130,10 @@ void add_furniture(const Room& room, const std::vector<Doorway>& doorways, const
       if (!placer.free(box)) continue;
       placer.take(box);
       const double reflectivity = random.uniform(0.5, 0.95);
-      for (std::size_t i = 0; i < 4; ++i) scene.panels.push_back({{box[i], box[(i + 1) % 4]}, reflectivity});
+      for (std::size_t i = 0; i < 4; ++i) {
+        scene.panels.push_back({{box[i], box[(i + 1) % 4]}, reflectivity});
+        scene.things.push_back(scene.panels.back().at);
+      }
       break;
     }
   }
@@ -142,6 +145,7 @@ void add_furniture(const Room& room, const std::vector<Doorway>& doorways, const
                       random.uniform(0.1, 3.0) * unit_from_angle(random.uniform(0.0, kTwoPi));
       if (!placer.free(at)) continue;
       scene.scatterers.push_back({at, random.uniform(0.01, 0.05), 1.0});
+      scene.things.push_back({at, at});
       break;
     }
   }

@@ -37,6 +37,7 @@ struct RoomScene {
   std::vector<Panel> panels;
   std::vector<Corner> corners;
   std::vector<Scatterer> scatterers;
+  std::vector<Segment> things;  ///< Outlines of what stands about, for whoever walks into it; they answer as panels.
 };
 
 /// `kept_free`: places in the room where the wearer passes; nothing is put there.
