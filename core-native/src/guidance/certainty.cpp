@@ -8,6 +8,7 @@ void Certainty::update(const Estimate& e, bool suspended) noexcept {
   const GuideConfig& c = *config_;
   const bool fits = e.state == TrackState::tracking && e.room != kNoRoom;
   const bool bad = !fits || !(e.sigma_m <= c.lost_sigma_m) || !(e.room_probability >= c.lost_probability);
+  fits_now_ = !bad;
   const bool good = fits && e.sigma_m <= c.found_sigma_m && e.room_probability >= c.found_probability;
   const bool lost = level_ == Level::lost;
   const bool change = lost ? good : bad && !suspended;

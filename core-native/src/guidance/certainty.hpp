@@ -18,6 +18,8 @@ class Certainty {
   void update(const Estimate& estimate, bool suspended) noexcept;
 
   [[nodiscard]] Level level() const noexcept { return level_; }
+  /// Whether the last estimate alone says that the place is known.
+  [[nodiscard]] bool fits_now() const noexcept { return fits_now_; }
   /// Whether it has ever been sure of a place.
   [[nodiscard]] bool was_sure() const noexcept { return was_sure_; }
 
@@ -25,6 +27,7 @@ class Certainty {
   const GuideConfig* config_;
   Level level_ = Level::lost;
   bool was_sure_ = false;
+  bool fits_now_ = false;
   bool started_ = false;
   double changing_since_ = 0.0;  ///< Since when the estimate says something other than level_.
 };

@@ -227,6 +227,7 @@ Follower::View Follower::look(const Estimate& e, bool vague) {
 /// True when the wearer can go straight to `at`, which lies before the first door of the line or just beyond it.
 bool Follower::in_reach(const Estimate& e, Vec2 at) const {
   const FreeSpace& space = router_->space(e.room);
+  if (hindrances_.hinders({e.pose.position, at})) return false;
   if (space.clear_between(e.pose.position, at, config_->body_m)) return true;
   const auto door = std::find_if(line_.begin(), line_.end(), [](const LinePoint& p) { return p.kind == WaypointKind::door; });
   if (door == line_.end()) return false;
@@ -338,22 +339,33 @@ void Follower::aim(View& view) {
   view.off = wrap_angle(heading - e.pose.heading);
 }
 
-/// Who was told how far to go, went, and stands well short of it has met something that no sensor saw.
+/// Who was told how far to go and stands well short of it, or does not even set off when told again, has met something
+/// that no sensor saw.
 void Follower::note_touch(const View& view) noexcept {
   const Estimate& e = *view.estimate;
   if (stretch_m_ < 0.0) return;
   if (stretch_from_.room != e.room) {
     stretch_m_ = -1.0;
+    stood_ = 0;
     return;
   }
   if (view.walking) stretch_begun_ = true;
   constexpr double kStands = 1.5;    // s
+  constexpr double kSetsOff = 3.0;   // s after the line and the reaction to it
   constexpr double kShort = 0.7;     // share of what was told
-  constexpr double kAhead = 0.4;     // from the wearer's middle to what was touched, metres
-  if (view.walking || !stretch_begun_ || view.now - still_since_ < kStands) return;
+  constexpr double kAhead = 0.35;    // from the wearer's middle to what was touched, metres
+  constexpr int kTold = 2;
+  const bool stands = !view.walking && view.now - still_since_ >= kStands;
+  const bool waits = stands && !stretch_begun_ && view.now > hold_until_ + kSetsOff;
+  if (!waits && !(stands && stretch_begun_)) return;
   const double gone = distance(e.pose.position, stretch_from_.at);
-  if (gone < kShort * stretch_m_ && stretch_m_ - gone > 0.6) {
+  const bool well_short = gone < kShort * stretch_m_ && stretch_m_ - gone > 0.6;
+  stood_ = waits ? stood_ + 1 : 0;
+  if (well_short && (stretch_begun_ || stood_ >= kTold)) {
     hindrances_.add(e.room, e.pose.position + kAhead * unit_from_angle(e.pose.heading), view.now);
+    stood_ = 0;
+  } else if (waits) {
+    straight_due_ = true;
   }
   stretch_m_ = -1.0;
 }

@@ -119,6 +119,7 @@ class Follower {
   double stretch_m_ = -1.0;              ///< Negative: none.
   Spot stretch_from_{};
   bool stretch_begun_ = false;
+  int stood_ = 0;                        ///< Times in a row that the wearer did not set off.
   double still_since_ = -1e300;
   bool was_walking_ = false;
   std::int32_t told_door_ = -1;

@@ -1,5 +1,6 @@
 #include "echoway/guidance/guide.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -41,6 +42,7 @@ struct Guide::Impl {
   void tell_pending();
   void tell_free_door();
   void drop_crumb();
+  void note_link();
   [[nodiscard]] bool position_usable() const {
     return estimate.room >= 0 && static_cast<std::size_t>(estimate.room) < router->building().rooms.size() &&
            is_finite(estimate.pose);
@@ -72,6 +74,7 @@ struct Guide::Impl {
   bool where_asked = false;
   bool destination_asked = false;
   bool belt_lost = false;
+  double maybe_climbing_until = -1e300;  ///< The wearer was last known at stairs or an elevator.
 };
 
 Guide::Guide(const Router& router, const GuideConfig& config) : impl_(std::make_unique<Impl>(router, config)) {}
@@ -134,13 +137,17 @@ void Guide::on_estimate(const Estimate& estimate, std::span<const Hypothesis> hy
   g.voice.answer(estimate.time_s);
   Estimate judged = estimate;
   if (!g.position_usable()) judged.state = TrackState::lost;
-  g.certainty.update(judged, judged.time_s < g.follower.suspended_until());
+  const double now = judged.time_s;
+  g.certainty.update(judged, now < std::max(g.follower.suspended_until(), g.maybe_climbing_until));
   if (g.belt_lost) return;  // said already; nothing that is known now stays known
   if (g.certainty.level() == Certainty::Level::lost) {
     g.handle_lost(hypotheses);
     return;
   }
   if (!g.position_usable()) return;
+  // Nobody is told to stop and turn on stairs, nor led by a position that does not fit.
+  if (now < g.maybe_climbing_until && !g.certainty.fits_now()) return;
+  g.note_link();
   if (g.was_lost) g.handle_found();
   g.drop_crumb();
   g.note_room();
@@ -265,6 +272,20 @@ void Guide::Impl::tell_free_door() {
   if (cue.distance_m > 2.0 * kFreeDoor) free_door = -1;
   if (!near || cue.landmark.index == free_door) return;
   if (voice.is_free(estimate.time_s) && voice.offer(cue, estimate.time_s)) free_door = cue.landmark.index;
+}
+
+/// Whoever is at stairs or an elevator may take them unasked: then echoes need not fit for a while.
+void Guide::Impl::note_link() {
+  constexpr double kAt = 1.5;  // metres
+  if (certainty.level() != Certainty::Level::sure) return;
+  maybe_climbing_until = -1e300;
+  for (const LevelLink& link : router->building().links) {
+    const bool at_a = link.room_a == estimate.room && distance(link.at_a, estimate.pose.position) < kAt;
+    const bool at_b = link.room_b == estimate.room && distance(link.at_b, estimate.pose.position) < kAt;
+    if (!at_a && !at_b) continue;
+    const double patience = link.kind == LevelLinkKind::stairs ? config.stairs_patience_s : config.elevator_patience_s;
+    maybe_climbing_until = std::max(maybe_climbing_until, estimate.time_s + config.unasked_share * patience);
+  }
 }
 
 void Guide::Impl::drop_crumb() {

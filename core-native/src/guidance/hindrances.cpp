@@ -12,7 +12,7 @@ constexpr double kRemembered = 45.0;  ///< Things are moved, and positions err, 
 constexpr double kFurthest = 8.0;     ///< Further on nothing needs be done yet, metres.
 constexpr double kPlay = 0.05;        ///< The ring lies this far outside of what must be kept clear, metres.
 /// Nobody knows how large a thing is: it is taken for broad while there is room to pass.
-constexpr std::array<double, 3> kRadii{0.35, 0.2, 0.08};
+constexpr std::array<double, 4> kRadii{0.55, 0.35, 0.2, 0.08};
 
 }  // namespace
 
@@ -54,8 +54,8 @@ bool Hindrances::stands_on(const Segment& way, double radius) const noexcept {
 }
 
 void Hindrances::bend(const FreeSpace& space, RoomIndex room, double time_s, std::vector<LinePoint>& line) {
-  if (size_ == 0 || line.size() < 2) return;
   near_.clear();
+  if (size_ == 0 || line.size() < 2) return;
   for (std::size_t i = 0; i < size_; ++i) {
     const bool near = counts(discs_[i], room, time_s) && distance(discs_[i].at, line.front().at) < kFurthest;
     if (near) near_.push_back(discs_[i].at);
@@ -67,8 +67,10 @@ void Hindrances::bend(const FreeSpace& space, RoomIndex room, double time_s, std
     const double needed = radius + config_->body_m;
     bool hindered = false;
     for (std::size_t i = 1; i <= last; ++i) hindered = hindered || stands_on({line[i - 1].at, line[i].at}, needed);
+    kept_m_ = needed;
     if (!hindered || lead_round(space, needed, last, line)) return;
   }
+  near_.clear();  // there is no way round: it has to be felt for
 }
 
 /// The shortest way over the corners of polygons about the discs and the line's own corners (Dijkstra; few nodes).

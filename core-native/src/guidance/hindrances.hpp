@@ -25,6 +25,8 @@ class Hindrances {
   /// Leads the stretch of `line` that lies in `room`, where it begins, round what stands on it. The line stays as it is
   /// where nothing does or no way round is found.
   void bend(const FreeSpace& space, RoomIndex room, double time_s, std::vector<LinePoint>& line);
+  /// True when something that the last line was bent round stands on this way.
+  [[nodiscard]] bool hinders(const Segment& way) const noexcept { return stands_on(way, kept_m_); }
 
  private:
   struct Disc {
@@ -43,7 +45,8 @@ class Hindrances {
   std::array<Disc, kMost> discs_{};
   std::size_t size_ = 0;
   // Of the search for a way round; kept for their memory.
-  std::vector<Vec2> near_;        ///< Discs that count here.
+  std::vector<Vec2> near_;        ///< Discs that count here,
+  double kept_m_ = 0.0;           ///< and how far the line keeps from them.
   std::vector<Vec2> nodes_;
   std::vector<double> costs_;
   std::vector<std::size_t> before_;

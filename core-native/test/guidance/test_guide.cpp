@@ -187,6 +187,29 @@ TEST_F(GuideTest, WarnsOfASteadyThingThatNoPlanKnows) {
   EXPECT_EQ(sector_of(cues[0].direction), Sector::ahead);
 }
 
+TEST_F(GuideTest, LeadsRoundASteadyThingThatNoPlanKnows) {
+  ASSERT_TRUE(guide.set_destination({Goal::Kind::spot, 0, {0, {4, 1.0}}}));
+  (void)wearer.stand(5.0, 0, {1, 1.0}, 0.0);
+  (void)wearer.scan({0.9, 0.9, 0.9, 0.9}, at(0, 0, {1, 1.0}, 0.0));
+  const auto cues = wearer.stand(12.0, 0, {1, 1.0}, 0.0);
+  const auto turn = std::find_if(cues.begin(), cues.end(), [](const Cue& c) { return c.kind == CueKind::turn; });
+  ASSERT_NE(turn, cues.end());
+  EXPECT_GT(turn->direction, 0.0);  // to the left: on the right there is but a metre between thing and wall
+}
+
+TEST_F(GuideTest, LeadsRoundWhatStoppedTheWearerUnseen) {
+  ASSERT_TRUE(guide.set_destination({Goal::Kind::spot, 0, {0, {4.3, 1.0}}}));
+  EXPECT_THAT(kinds(wearer.stand(6.0, 0, {0.7, 1.0}, 0.0)), Contains(CueKind::go_straight));
+  Estimate walking = at(0, 0, {0.7, 1.0}, 0.0);
+  walking.speed_mps = 0.8;
+  for (const double end = wearer.now + 1.5; wearer.now < end; walking.pose.position.x += 0.8 * kSlot) {
+    (void)wearer.stay(kSlot, walking);
+  }
+  // Stands well short of where the way goes, and nobody said stop.
+  const auto cues = wearer.stand(8.0, 0, walking.pose.position, 0.0);
+  EXPECT_THAT(kinds(cues), Contains(CueKind::turn));
+}
+
 TEST_F(GuideTest, IsNotAlarmedByWallsOrByASingleFalseEcho) {
   (void)wearer.stand(3.0, 0, {1, 1.0}, 0.0);
   EXPECT_THAT(wearer.scan({3.85, 3.85, 0.9, 3.85, 3.85, 3.85}, at(0, 0, {1, 1.0}, 0.0)), IsEmpty());
@@ -268,6 +291,40 @@ TEST(Guide, SendsTheWearerUpTheStairsAndTellsTheTracker) {
   // On the stairs echoes fit nowhere; that is no loss.
   EXPECT_THAT(wearer.stay(10.0, lost(0)), IsEmpty());
   EXPECT_THAT(kinds(wearer.stand(6.0, 1, {5, 2}, 180.0)), Contains(CueKind::go_straight));
+}
+
+TEST(Guide, NobodyIsToldToTurnOnStairsThatTheyTookUnasked) {
+  Building b;
+  b.rooms.push_back(test::make_box("1", 6, 4));
+  b.rooms.push_back(test::make_box("2", 6, 4));
+  b.rooms[1].level = 1;
+  b.links.push_back({LevelLinkKind::stairs, 0, {5, 2}, 1, {5, 2}});
+  Listener wearer(b);
+  (void)wearer.stand(4.0, 0, {4.6, 2}, 0.0);
+  EXPECT_THAT(wearer.stay(20.0, lost(0)), IsEmpty());
+  EXPECT_THAT(kinds(wearer.stand(2.0, 1, {5, 2}, 180.0)), Contains(CueKind::entering));
+  // Away from the stairs it is a loss like any other.
+  (void)wearer.stand(2.0, 1, {1, 2}, 180.0);
+  EXPECT_THAT(kinds(wearer.stay(4.0, lost(0))), Contains(CueKind::uncertain));
+}
+
+TEST(Guide, ATurnIntoAWallWaitsUntilTheWearerStands) {
+  // Along the wall of a corridor, 0.4 m off it, to a door in that wall: a moment too late and the turn faces the wall.
+  Building b;
+  b.rooms.push_back(test::make_box("hall", 12, 2));
+  b.rooms.push_back(test::make_box("office", 4, 4));
+  test::add_door(b, 0, {8, 2}, 1, {2, 0});
+  Listener wearer(b);
+  ASSERT_TRUE(wearer.guide.set_destination({Goal::Kind::spot, 0, {1, {2, 3}}}));
+  Estimate walking = at(0, 0, {4.0, 1.6}, 0.0);
+  walking.speed_mps = 0.9;
+  std::vector<CueKind> said;
+  while (walking.pose.position.x < 7.8) {
+    for (const Cue& cue : wearer.stay(kSlot, walking)) said.push_back(cue.kind);
+    walking.pose.position.x += 0.9 * kSlot;
+  }
+  EXPECT_THAT(said, Contains(CueKind::stop));
+  EXPECT_THAT(said, Not(Contains(CueKind::turn)));
 }
 
 TEST(Guide, SaysWhenNoWayLeadsThere) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "echoway/random.hpp"
@@ -156,6 +157,29 @@ TEST(Router, SaysWhenRoomsAreNotJoined) {
   ASSERT_FALSE(route);
   EXPECT_THAT(route.error().message, HasSubstr("room 1"));
   EXPECT_THAT(route.error().message, HasSubstr("room 2"));
+}
+
+TEST(Router, KeepsToTheDoorThatAWalkerIsBoundForUnlessAnotherSavesMuch) {
+  // Two doors lead from the lower to the upper room; the walker stands a little nearer to the left one.
+  Building b;
+  b.rooms.push_back(make_box("below", 10, 4));
+  b.rooms.push_back(make_box("above", 10, 4));
+  add_door(b, 0, {2, 4}, 1, {2, 0});
+  add_door(b, 0, {8, 4}, 1, {8, 0});
+  const Router router(b);
+  const auto tree = router.tree_to(spot(1, {5, 2}));
+  ASSERT_TRUE(tree);
+  const auto first_door = [&](Vec2 from, const BoundFor& bound_for) {
+    Route route;
+    EXPECT_TRUE(router.route_from({0, from}, *tree, route, bound_for));
+    const auto door = std::find_if(route.waypoints.begin(), route.waypoints.end(),
+                                   [](const Waypoint& w) { return w.kind == WaypointKind::door; });
+    return door == route.waypoints.end() ? -1 : door->index;
+  };
+  const BoundFor right{WaypointKind::door, 1, 1.0};
+  EXPECT_EQ(first_door({4.8, 2}, {}), 0);
+  EXPECT_EQ(first_door({4.8, 2}, right), 1);
+  EXPECT_EQ(first_door({3.0, 2}, right), 0);
 }
 
 TEST(Router, PrefersTheElevatorWhenStairsAreToBeAvoided) {

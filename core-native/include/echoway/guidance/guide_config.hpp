@@ -40,6 +40,7 @@ struct GuideConfig {
   double nudge_s = 11.0;              ///< A wearer who stands still on a way is told again after this.
   double stairs_patience_s = 45.0;    ///< Echoes need not fit for this long once stairs are taken.
   double elevator_patience_s = 120.0;
+  double unasked_share = 0.6;         ///< Of that for wearers who are at stairs or an elevator without being sent there.
 
   // Obstacles.
   double obstacle_m = 1.2;            ///< Tell of them from this far when standing; further when walking.

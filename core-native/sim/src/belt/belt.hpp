@@ -22,8 +22,8 @@ class Belt {
   /// The `index`-th firing. Moments must not go back in time.
   Firing fire(const Moment& moment, int sensor, std::int64_t index);
 
-  /// What stands about in a room (see FloorWorld::things).
-  [[nodiscard]] std::vector<Segment> things(RoomIndex room) { return floor_.things(room); }
+  /// What stands about in a room and stops who walks into it (door leaves give way). In the room's frame.
+  [[nodiscard]] const std::vector<Segment>& things(RoomIndex room) { return floor_.scene(room).things; }
 
   void happens(const Action& action, double now_s);
 

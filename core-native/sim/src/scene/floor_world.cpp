@@ -55,15 +55,6 @@ const RoomScene& FloorWorld::scene(RoomIndex room) {
       .first->second;
 }
 
-std::vector<Segment> FloorWorld::things(RoomIndex room) {
-  std::vector<Segment> all = scene(room).things;
-  for (const Doorway& doorway : plan_.doorways(room)) {
-    if (!is_open(doorway.door)) continue;
-    if (const std::optional<Segment> open_leaf = leaf(room, doorway)) all.push_back(*open_leaf);
-  }
-  return all;
-}
-
 bool FloorWorld::is_open(std::size_t door) const { return !shut_.contains(door); }
 
 std::optional<Segment> FloorWorld::leaf(RoomIndex room, const Doorway& doorway) {

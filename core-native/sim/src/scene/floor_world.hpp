@@ -25,8 +25,6 @@ class FloorWorld final : public Surroundings {
 
   [[nodiscard]] const View& view_from(RoomIndex room);
   void set_door(std::size_t door, bool open);
-  /// What a wearer may walk into and no plan knows: furniture, posts, leaves of open doors. In the room's frame.
-  [[nodiscard]] std::vector<Segment> things(RoomIndex room);
 
   [[nodiscard]] const std::vector<Doorway>& doorways(RoomIndex room) const override;
   [[nodiscard]] const RoomScene& scene(RoomIndex room) override;
