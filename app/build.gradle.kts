@@ -62,6 +62,7 @@ dependencies {
     implementation(project(":core-native"))
     implementation(libs.activity.compose)
     implementation(libs.androidx.core)
+    implementation(libs.commons.compress)
     implementation(libs.compose.foundation)
     implementation(libs.compose.ui)
     implementation(libs.coroutines.android)

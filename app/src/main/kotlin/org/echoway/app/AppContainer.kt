@@ -16,6 +16,7 @@ import java.io.IOException
 import java.util.concurrent.Executors
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.asCoroutineDispatcher
+import kotlinx.coroutines.flow.map
 import kotlinx.coroutines.withContext
 import org.echoway.app.belt.AndroidUsbBus
 import org.echoway.app.belt.BeltSource
@@ -23,13 +24,15 @@ import org.echoway.app.belt.ReplayedBelt
 import org.echoway.app.belt.UsbBeltSource
 import org.echoway.app.belt.UsbBus
 import org.echoway.app.belt.WalkLog
-import org.echoway.app.building.Buildings
+import org.echoway.app.building.BuildingLibrary
 import org.echoway.app.building.BundledBuildings
 import org.echoway.app.engine.Navigator
 import org.echoway.app.guide.Guide
 import org.echoway.app.guide.Wording
 import org.echoway.app.motion.MotionSource
 import org.echoway.app.motion.PhoneMotion
+import org.echoway.app.motion.SwitchedMotion
+import org.echoway.app.recording.Recordings
 import org.echoway.app.settings.DataStoreSettings
 import org.echoway.app.settings.Settings
 import org.echoway.app.settings.SettingsStore
@@ -45,13 +48,13 @@ import org.echoway.app.voice.VoiceWithTones
 interface AppContainer {
     val clock: Clock
     val settings: SettingsStore
-    val buildings: Buildings
+    val buildings: BuildingLibrary
     val navigator: Navigator
     val guide: Guide
     val voice: Voice
     val buzzer: Buzzer
     val motion: MotionSource
-    val recordings: File
+    val recordings: Recordings
     val cacheDir: File
 
     fun hasSimulatedWalk(building: String): Boolean
@@ -67,7 +70,7 @@ open class PhoneContainer(private val context: Context) : AppContainer {
         DataStoreSettings(PreferenceDataStoreFactory.create { context.preferencesDataStoreFile("settings") })
     }
 
-    override val buildings: Buildings by lazy { BundledBuildings(context, versionCode()) }
+    override val buildings: BuildingLibrary by lazy { BuildingLibrary.on(context, BundledBuildings(context, versionCode())) }
 
     override val navigator by lazy {
         val core = Executors.newSingleThreadExecutor { Thread(it, "echoway-core") }
@@ -82,9 +85,12 @@ open class PhoneContainer(private val context: Context) : AppContainer {
 
     override val buzzer: Buzzer by lazy { PhoneBuzzer(context.getSystemService(Vibrator::class.java)) }
 
-    override val motion: MotionSource by lazy { PhoneMotion(context.getSystemService(SensorManager::class.java), ::stepsAllowed) }
+    override val motion: MotionSource by lazy {
+        val sensors = PhoneMotion(context.getSystemService(SensorManager::class.java), ::stepsAllowed)
+        SwitchedMotion(sensors, settings.settings.map { it.motion })
+    }
 
-    override val recordings: File get() = File(context.filesDir, "recordings")
+    override val recordings by lazy { Recordings(File(context.filesDir, "recordings")) }
 
     override val cacheDir: File get() = context.cacheDir
 
@@ -105,8 +111,9 @@ open class PhoneContainer(private val context: Context) : AppContainer {
 
     private suspend fun recordedWalk(name: String?) = withContext(Dispatchers.IO) {
         // The name comes from settings; only files of our own folder may be read.
-        val file = recordings.listFiles().orEmpty().firstOrNull { it.name == name } ?: throw IOException("there is no such recording")
-        WalkLog.read(file.bufferedReader())
+        val file = recordings.folder.listFiles().orEmpty().firstOrNull { it.name == name } ?: throw IOException("there is no such recording")
+        val motion = File(file.parentFile, file.name.removeSuffix(Recordings.SCANS) + Recordings.MOTION)
+        WalkLog.read(file.bufferedReader(), motion.takeIf { it.isFile && it != file }?.bufferedReader())
     }
 
     private fun stepsAllowed() = Build.VERSION.SDK_INT < Build.VERSION_CODES.Q ||

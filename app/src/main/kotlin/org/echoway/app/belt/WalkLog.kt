@@ -13,7 +13,11 @@ data class WalkLog(val sensors: Int, val firings: List<LoggedFiring>, val hints:
     companion object {
         const val DEFAULT_SENSORS = 15
 
-        /** @throws IOException with the line's number when a line is not what the format says */
+        /**
+         * A last line without its end was torn off by a crash, and is left out.
+         *
+         * @throws IOException with the line's number when a line is not what the format says
+         */
         fun read(scans: BufferedReader, motion: BufferedReader? = null): WalkLog {
             var sensors = DEFAULT_SENSORS
             val firings = rows(scans, onComment = { comment ->
@@ -37,7 +41,7 @@ data class WalkLog(val sensors: Int, val firings: List<LoggedFiring>, val hints:
         private fun <T> rows(reader: BufferedReader, onComment: (String) -> Unit = {}, row: (List<String>) -> T): List<T> {
             val rows = mutableListOf<T>()
             var header = true
-            reader.useLines { lines ->
+            reader.use { it.readText() }.wholeLines().let { lines ->
                 lines.forEachIndexed { index, line ->
                     when {
                         line.startsWith("#") -> onComment(line.drop(1).trim())
@@ -49,6 +53,8 @@ data class WalkLog(val sensors: Int, val firings: List<LoggedFiring>, val hints:
             }
             return rows
         }
+
+        private fun String.wholeLines() = if (endsWith('\n')) lines() else lines().dropLast(1)
 
         private fun <T> parsed(number: Int, line: String, row: (List<String>) -> T): T = try {
             row(line.trim().split(',').also { if (it.size < COLUMNS) throw NumberFormatException("too few columns") })

@@ -9,8 +9,8 @@ import org.echoway.core.CoreException
 import org.echoway.core.Plan
 import org.echoway.core.PlanLoader
 
-/** A floor plan on this phone. */
-data class InstalledBuilding(val id: String, val folder: File, val plan: Plan) {
+/** A floor plan on this phone; [imported] ones can be deleted. */
+data class InstalledBuilding(val id: String, val folder: File, val plan: Plan, val imported: Boolean = false) {
     /** What a wearer calls it. */
     val title get() = plan.name.ifEmpty { id }
 }

@@ -56,11 +56,17 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
         wishes.trySend(wish)
     }
 
-    /** Navigates until it is cancelled. */
-    suspend fun run(building: InstalledBuilding, start: Start, source: BeltSource, motion: MotionSource) = withContext(thread) {
+    /** Navigates until it is cancelled; [witness] sees what happens. */
+    suspend fun run(
+        building: InstalledBuilding,
+        start: Start,
+        source: BeltSource,
+        motion: MotionSource,
+        witness: Witness? = null,
+    ) = withContext(thread) {
         forgetWishes()
         try {
-            CoreSession.open(building.folder, clock.nowS(), start).use { session -> Run(building, session).run(source, motion) }
+            CoreSession.open(building.folder, clock.nowS(), start).use { session -> Run(building, session, witness).run(source, motion) }
         } catch (e: CoreException) {
             published.value = NavigationState.Failed(e.message.orEmpty())
         } finally {
@@ -73,7 +79,7 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
         while (wishes.tryReceive().isSuccess) Unit
     }
 
-    private inner class Run(private val building: InstalledBuilding, private val session: CoreSession) {
+    private inner class Run(private val building: InstalledBuilding, private val session: CoreSession, private val witness: Witness?) {
         private var line = Line.WAITING
         private var health = session.beltHealth
         private var leading: Wish? = null
@@ -130,16 +136,28 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
             }
         }
 
-        private suspend fun feedMotion(hints: Flow<MotionHint>) = hints.collect(session::onMotion)
+        private suspend fun feedMotion(hints: Flow<MotionHint>) = hints.collect(::onMotion)
+
+        private fun onMotion(hint: MotionHint) {
+            session.onMotion(hint)
+            witness?.onMotion(hint)
+        }
+
+        private fun onBytes(bytes: BeltEvent.Bytes) {
+            if (session.onBytes(bytes.data, bytes.arrivalS) == 0) return
+            witness?.onFirings(session.beltHealth.sensors)
+            witness?.onEstimate(session.estimate)
+            publish()
+        }
 
         private fun onEvent(event: BeltEvent) {
             when (event) {
                 is BeltEvent.Bytes -> {
-                    if (session.onBytes(event.data, event.arrivalS) > 0) publish()
+                    onBytes(event)
                     return
                 }
                 is BeltEvent.Motion -> {
-                    session.onMotion(event.hint)
+                    onMotion(event.hint)
                     return
                 }
                 BeltEvent.Attached -> moveTo(Line.OPEN) { session.onBeltAttached(clock.nowS()) }

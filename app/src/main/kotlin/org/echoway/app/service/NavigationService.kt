@@ -21,6 +21,7 @@ import org.echoway.app.building.startAt
 import org.echoway.app.container
 import org.echoway.app.engine.NavigationState
 import org.echoway.app.guide.hearsBelt
+import org.echoway.app.recording.RecordingSwitch
 import org.echoway.app.settings.Settings
 import org.echoway.app.settings.SourceKind
 
@@ -77,7 +78,10 @@ class NavigationService : LifecycleService() {
             return@coroutineScope
         }
         val start = startAt(building.plan, settings.entrance)
-        container.navigator.run(building, start, container.beltSource(settings), container.motion)
+        val recording = RecordingSwitch(container.recordings, building)
+        // A walk that is replayed is not recorded again.
+        if (settings.source != SourceKind.RECORDING) launch { recording.follow(container.settings.settings.map { it.record }) }
+        container.navigator.run(building, start, container.beltSource(settings), container.motion, recording)
     }
 
     /** False when the system does not allow it now; a tap on the app then starts it. */

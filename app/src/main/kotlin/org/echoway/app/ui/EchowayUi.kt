@@ -18,10 +18,14 @@ import androidx.navigation.compose.composable
 import androidx.navigation.compose.rememberNavController
 import org.echoway.app.AppContainer
 import org.echoway.app.settings.inLanguage
+import org.echoway.app.ui.belt.beltView
+import org.echoway.app.ui.buildings.buildings
+import org.echoway.app.ui.diagnostics.diagnostics
 import org.echoway.app.ui.live.LiveActions
 import org.echoway.app.ui.live.LiveScreen
 import org.echoway.app.ui.live.LiveViewModel
 import org.echoway.app.ui.menu.MenuScreen
+import org.echoway.app.ui.recordings.recordings
 import org.echoway.app.ui.settings.SettingsScreen
 import org.echoway.app.ui.settings.SettingsViewModel
 import org.echoway.app.ui.setup.SetupActions
@@ -53,6 +57,10 @@ fun EchowayUi(container: AppContainer, setup: SetupViewModel, actions: ActivityA
                 guidance(container, actions, open)
                 composable<Route.Menu> { MenuScreen(open, screens::back) }
                 setup(setup, actions, screens::back)
+                buildings(container, open, screens::back)
+                recordings(container, actions.start, open, screens::back)
+                diagnostics(container, screens::back)
+                beltView(container, screens::back)
                 composable<Route.Settings> { SettingsScreen(chosen, model::change, screens::back) }
             }
         }

@@ -8,11 +8,13 @@ import org.echoway.app.AppContainer
 import org.echoway.app.Clock
 import org.echoway.app.ContainerOwner
 import org.echoway.app.belt.BeltSource
+import org.echoway.app.building.BuildingLibrary
 import org.echoway.app.building.BundledBuildings
 import org.echoway.app.engine.Navigator
 import org.echoway.app.guide.Guide
 import org.echoway.app.guide.Wording
 import org.echoway.app.motion.MotionSource
+import org.echoway.app.recording.Recordings
 import org.echoway.app.settings.Settings
 import org.echoway.app.settings.SourceKind
 import org.echoway.app.testing.MemorySettings
@@ -29,13 +31,13 @@ class TestApp : Application(), ContainerOwner {
 class TestContainer(context: Context) : AppContainer {
     override val clock = Clock.SYSTEM
     override val settings = MemorySettings(Settings(building = "torgersen-lab", source = SourceKind.SIMULATED_WALK))
-    override val buildings = BundledBuildings(context, 1)
+    override val buildings = BuildingLibrary.on(context, BundledBuildings(context, 1))
     override val navigator = Navigator(Dispatchers.Main, clock)
     override val voice = RecordingVoice(clock)
     override val buzzer = RecordingBuzzer()
     override val guide = Guide(Wording(context.resources), voice, buzzer, clock)
     override val motion = MotionSource { emptyFlow() }
-    override val recordings = File(context.filesDir, "recordings")
+    override val recordings = Recordings(File(context.filesDir, "recordings"))
     override val cacheDir: File = context.cacheDir
     var belt = ScriptedBelt()
 

@@ -10,6 +10,10 @@ import org.echoway.app.ui.common.Screen
 /** Where the menu leads, in its order. */
 private val ENTRIES = listOf(
     R.string.setup to Route.Setup,
+    R.string.buildings to Route.Buildings,
+    R.string.belt_view to Route.BeltView,
+    R.string.diagnostics to Route.Diagnostics,
+    R.string.recordings to Route.Recordings,
     R.string.settings to Route.Settings,
 )
 

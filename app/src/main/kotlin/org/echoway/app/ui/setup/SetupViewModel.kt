@@ -10,13 +10,14 @@ import kotlinx.coroutines.flow.MutableStateFlow
 import kotlinx.coroutines.flow.SharingStarted
 import kotlinx.coroutines.flow.StateFlow
 import kotlinx.coroutines.flow.combine
-import kotlinx.coroutines.flow.flow
+import kotlinx.coroutines.flow.map
 import kotlinx.coroutines.flow.stateIn
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
 import org.echoway.app.AppContainer
 import org.echoway.app.belt.WalkLog
 import org.echoway.app.building.InstalledBuilding
+import org.echoway.app.recording.Recordings
 import org.echoway.app.settings.Settings
 import org.echoway.app.settings.SourceKind
 
@@ -25,7 +26,7 @@ class SetupViewModel(private val container: AppContainer, private val unknownEnt
     private val problem = MutableStateFlow<String?>(null)
 
     val uiState: StateFlow<SetupUiState> =
-        combine(flow { emit(container.buildings.all()) }, container.settings.settings, problem, ::show)
+        combine(container.buildings.revision.map { container.buildings.all() }, container.settings.settings, problem, ::show)
             .stateIn(viewModelScope, SharingStarted.WhileSubscribed(STOP_AFTER_MS), SetupUiState.Loading)
 
     fun chooseBuilding(id: String) = update { if (it.building == id) it else it.copy(building = id, entrance = null) }
@@ -37,7 +38,7 @@ class SetupViewModel(private val container: AppContainer, private val unknownEnt
     /** Keeps a copy of a scan log that the wearer picked, and chooses it; a log that cannot be played is refused. */
     fun useRecording(name: String, open: () -> InputStream) {
         viewModelScope.launch {
-            val file = File(container.recordings, File(name).name)
+            val file = File(container.recordings.folder, File(name).name.let { if (it.endsWith(Recordings.SCANS)) it else it.removeSuffix(".csv") + Recordings.SCANS })
             problem.value = try {
                 withContext(Dispatchers.IO) { keep(file, open) }
                 container.settings.update { it.copy(source = SourceKind.RECORDING, recording = file.name) }
@@ -52,7 +53,7 @@ class SetupViewModel(private val container: AppContainer, private val unknownEnt
         val partial = File(container.cacheDir, "picked")
         open().use { from -> partial.outputStream().use { from.copyTo(it) } }
         WalkLog.read(partial.bufferedReader())
-        container.recordings.mkdirs()
+        container.recordings.folder.mkdirs()
         partial.copyTo(file, overwrite = true)
         partial.delete()
     }

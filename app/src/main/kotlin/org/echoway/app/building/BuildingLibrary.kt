@@ -1,0 +1,75 @@
+package org.echoway.app.building
+
+import android.content.Context
+import java.io.File
+import java.io.InputStream
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.flow.MutableStateFlow
+import kotlinx.coroutines.flow.StateFlow
+import kotlinx.coroutines.flow.asStateFlow
+import kotlinx.coroutines.flow.update
+import kotlinx.coroutines.sync.Mutex
+import kotlinx.coroutines.sync.withLock
+import kotlinx.coroutines.withContext
+import org.echoway.core.BuildingCheck
+import org.echoway.core.CoreException
+import org.echoway.core.Finding
+import org.echoway.core.PlanLoader
+
+/** The floor plans that came with the app, and those that the wearer brought, each in a folder of its own below [home]. */
+class BuildingLibrary(private val bundled: Buildings, private val home: File, private val workshop: File) : Buildings {
+    private val changes = MutableStateFlow(0)
+    private val importing = Mutex()
+
+    /** Another number whenever [all] may have changed. */
+    val revision: StateFlow<Int> = changes.asStateFlow()
+
+    override suspend fun all(): List<InstalledBuilding> {
+        val own = withContext(Dispatchers.IO) { home.listFiles().orEmpty().mapNotNull(::load) }
+        return (bundled.all() + own).sortedBy { it.title }
+    }
+
+    override suspend fun find(id: String): InstalledBuilding? =
+        bundled.find(id) ?: withContext(Dispatchers.IO) { folder(id)?.let(::load) }
+
+    /** What the core would mend in a building, or why it cannot be used. Empty for one that is not there. */
+    suspend fun check(id: String): List<Finding> {
+        val folder = bundled.find(id)?.folder ?: folder(id) ?: return emptyList()
+        return withContext(Dispatchers.IO) { BuildingCheck.of(folder).findings.map { it.copy(file = File(it.file).name) } }
+    }
+
+    /** @throws ImportException [UnusableBuilding] */
+    suspend fun importZip(name: String, open: () -> InputStream): Imported = take { it.zip(name, open) }
+
+    /** @throws ImportException [UnusableBuilding] */
+    suspend fun importFolder(name: String, files: BuildingFiles): Imported = take { it.folder(name, files) }
+
+    /** Deletes an imported building; the ones that came with the app stay. */
+    suspend fun delete(id: String) {
+        withContext(Dispatchers.IO) { folder(id)?.deleteRecursively() }
+        changes.update { it + 1 }
+    }
+
+    private suspend fun take(work: (BuildingImport) -> Imported): Imported = importing.withLock {
+        val taken = bundled.all().map { it.id }.toSet()
+        val imported = withContext(Dispatchers.IO) { work(BuildingImport(home, workshop, isTaken = { it in taken })) }
+        changes.update { it + 1 }
+        imported
+    }
+
+    /** An id comes from settings; only a name of one of our own folders may be followed. */
+    private fun folder(id: String): File? = home.listFiles().orEmpty().firstOrNull { it.name == id }
+
+    private fun load(folder: File): InstalledBuilding? = try {
+        InstalledBuilding(folder.name, folder, PlanLoader.load(folder), imported = true)
+    } catch (_: CoreException) {
+        null
+    }
+
+    companion object {
+        fun on(context: Context, bundled: Buildings): BuildingLibrary {
+            val root = File(context.filesDir, "buildings")
+            return BuildingLibrary(bundled, File(root, "imported"), File(root, "workshop"))
+        }
+    }
+}

@@ -1,0 +1,43 @@
+package org.echoway.app.building
+
+import java.io.File
+import java.io.IOException
+import java.io.InputStream
+import org.apache.commons.compress.archivers.zip.ZipArchiveEntry
+import org.apache.commons.compress.archivers.zip.ZipFile
+
+/** The files of a zip archive. Everything about the archive is looked at before anything is unpacked. */
+class ZippedBuilding(private val archive: File, private val limits: ImportLimits) : BuildingFiles {
+    override fun forEach(visit: (path: String, open: () -> InputStream) -> Unit) {
+        try {
+            ZipFile.builder().setFile(archive).get().use { zip ->
+                val entries = zip.entries.asSequence().take(limits.files + 1).toList()
+                if (entries.size > limits.files) throw ImportException(ImportProblem.TOO_MANY_FILES)
+                entries.forEach(::check)
+                entries.filterNot { it.isDirectory || it.isClutter }.forEach { entry -> visit(entry.name) { zip.getInputStream(entry) } }
+            }
+        } catch (e: IOException) {
+            throw ImportException(ImportProblem.UNREADABLE, e.message.orEmpty(), e)
+        } catch (e: IllegalArgumentException) {
+            // Nonsense in an entry's own fields.
+            throw ImportException(ImportProblem.UNREADABLE, e.message.orEmpty(), e)
+        }
+    }
+
+    private fun check(entry: ZipArchiveEntry) {
+        when {
+            entry.generalPurposeBit.usesEncryption() -> throw ImportException(ImportProblem.ENCRYPTED, entry.name)
+            entry.isUnixSymlink -> throw ImportException(ImportProblem.UNSAFE_NAME, entry.name)
+            REPLACEMENT in entry.name || !entry.rawName.isUtf8() -> throw ImportException(ImportProblem.BAD_NAME, entry.name)
+        }
+    }
+
+    /** What some systems add of their own. */
+    private val ZipArchiveEntry.isClutter get() = name.startsWith("__MACOSX/") || name.endsWith(".DS_Store")
+
+    private fun ByteArray.isUtf8() = runCatching { Charsets.UTF_8.newDecoder().decode(java.nio.ByteBuffer.wrap(this)) }.isSuccess
+
+    private companion object {
+        const val REPLACEMENT = '\uFFFD'
+    }
+}

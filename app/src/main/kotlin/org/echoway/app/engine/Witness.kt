@@ -1,0 +1,15 @@
+package org.echoway.app.engine
+
+import org.echoway.core.Estimate
+import org.echoway.core.MotionHint
+import org.echoway.core.SensorHealth
+
+/** Sees what goes through navigation, in order and on its thread. Must be quick. */
+interface Witness {
+    /** Some of [sensors] have fired: those whose time is new. */
+    fun onFirings(sensors: List<SensorHealth>)
+
+    fun onMotion(hint: MotionHint)
+
+    fun onEstimate(estimate: Estimate)
+}
