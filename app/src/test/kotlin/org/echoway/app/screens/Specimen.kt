@@ -7,9 +7,12 @@ import androidx.compose.runtime.Composable
  *
  * @property variants in which it is drawn; accessibility is checked in all of them whatever is drawn
  */
-class Specimen(val name: String, val variants: Set<Variant> = Variant.entries.toSet(), val screen: @Composable () -> Unit) {
+class Specimen(val name: String, val variants: Set<Variant> = USUAL, val screen: @Composable () -> Unit) {
     override fun toString() = name
 }
+
+/** Every variant is checked; these are drawn of most screens. */
+val USUAL = Variant.entries.toSet() - Variant.SMOKE - Variant.GERMAN_LARGE_TEXT
 
 /** For states that differ from another specimen by a few words. */
 val LIGHT_ONLY = setOf(Variant.LIGHT)

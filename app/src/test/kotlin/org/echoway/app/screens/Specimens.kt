@@ -20,7 +20,7 @@ import org.echoway.app.ui.setup.SourceOption
 import org.echoway.core.Plan
 
 /** Every screen of the app. */
-fun specimens(): List<Specimen> = liveSpecimens() + choosingSpecimens()
+fun specimens(): List<Specimen> = liveSpecimens() + choosingSpecimens() + dataSpecimens()
 
 /** The plan of the Torgersen laboratory, through the core. */
 internal val torgersen: Plan by lazy {

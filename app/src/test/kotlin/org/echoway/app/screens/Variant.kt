@@ -4,15 +4,15 @@ import org.echoway.app.settings.ThemeChoice
 import org.junit.rules.ExternalResource
 import org.robolectric.RuntimeEnvironment
 
-/** A way in which a screen may be shown. Pictures are small but for the first, which the documentation shows. */
+/** A way in which a screen may be shown. Pictures are small; the first is what the documentation shows. */
 enum class Variant(val suffix: String, val qualifiers: String, val theme: ThemeChoice, val fontScale: Float = 1f) {
-    LIGHT("", "$PHONE-xhdpi", ThemeChoice.LIGHT),
+    LIGHT("", "$PHONE-hdpi", ThemeChoice.LIGHT),
     DARK("-dark", "$PHONE-mdpi", ThemeChoice.DARK),
     HIGH_CONTRAST("-high-contrast", "$PHONE-mdpi", ThemeChoice.HIGH_CONTRAST),
     SMOKE("-smoke", "$PHONE-mdpi", ThemeChoice.SMOKE),
     LARGE_TEXT("-large-text", "$PHONE-mdpi", ThemeChoice.LIGHT, fontScale = 2f),
     GERMAN_LARGE_TEXT("-german-large-text", "de-$PHONE-mdpi", ThemeChoice.LIGHT, fontScale = 2f),
-    TABLET("-tablet", "w1024dp-h768dp-land-mdpi", ThemeChoice.LIGHT),
+    TABLET("-tablet", "w1024dp-h768dp-land-hdpi", ThemeChoice.LIGHT),
 }
 
 private const val PHONE = "w400dp-h860dp"

@@ -2,6 +2,7 @@ package org.echoway.app.ui.buildings
 
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.material3.AlertDialog
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.MaterialTheme
@@ -59,8 +60,10 @@ private fun Building(item: BuildingItem, actions: BuildingsActions) {
         val exits = pluralStringResource(R.plurals.exits, item.exits, item.exits)
         Text(stringResource(R.string.building_size, rooms, exits), style = MaterialTheme.typography.bodyLarge)
         if (item.chosen && item.exits > 0) Action(stringResource(R.string.choose_entrance), onClick = actions.onEntrance)
-        Named(R.string.check_building, item) { actions.onCheck(item) }
-        if (item.imported) Named(R.string.delete, item) { actions.onAskDelete(item) }
+        FlowRow(horizontalArrangement = Arrangement.spacedBy(12.dp)) {
+            Named(R.string.check_building, item) { actions.onCheck(item) }
+            if (item.imported) Named(R.string.delete, item) { actions.onAskDelete(item) }
+        }
     }
 }
 

@@ -58,7 +58,8 @@ private fun SensorRing(sensors: List<SensorHealth>, description: String, modifie
     val measurer = rememberTextMeasurer()
     val style = MaterialTheme.typography.labelLarge
     Canvas(modifier.semantics { contentDescription = description }) {
-        val radius = min(size.width, size.height) / 2 - LABELS.toPx()
+        val labels = style.fontSize.toPx() * 1.5f + MARK.toPx()
+        val radius = min(size.width, size.height) / 2 - labels - MARK.toPx()
         drawCircle(scheme.outline, radius, style = Stroke(2.dp.toPx()))
         drawLine(scheme.onSurface, center, Offset(center.x, center.y - radius / 2), 3.dp.toPx(), StrokeCap.Round)
         sensors.forEachIndexed { index, sensor ->
@@ -70,7 +71,7 @@ private fun SensorRing(sensors: List<SensorHealth>, description: String, modifie
                 else -> drawCircle(scheme.primary, MARK.toPx(), at)
             }
             val label = measurer.measure("${index + 1}", style)
-            val outside = around(index, sensors.size, radius + LABELS.toPx() / 1.6f)
+            val outside = around(index, sensors.size, radius + labels)
             drawText(label, scheme.onSurface, Offset(outside.x - label.size.width / 2, outside.y - label.size.height / 2))
         }
     }
@@ -88,4 +89,3 @@ private fun DrawScope.drawCross(colour: Color, at: Offset) {
 }
 
 private val MARK = 9.dp
-private val LABELS = 36.dp

@@ -3,6 +3,7 @@ package org.echoway.app.ui.recordings
 import android.text.format.Formatter
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.material3.AlertDialog
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.MaterialTheme
@@ -80,9 +81,11 @@ private fun Item(recording: Recording, running: Boolean, actions: RecordingsActi
         Subheading(title)
         Text(description(recording), style = MaterialTheme.typography.bodyLarge)
         if (!running) {
-            Named(R.string.replay, title) { actions.onReplay(recording) }
-            Named(R.string.share, title) { actions.onShare(recording) }
-            Named(R.string.delete, title) { actions.onAskDelete(recording) }
+            FlowRow(horizontalArrangement = Arrangement.spacedBy(12.dp)) {
+                Named(R.string.replay, title) { actions.onReplay(recording) }
+                Named(R.string.share, title) { actions.onShare(recording) }
+                Named(R.string.delete, title) { actions.onAskDelete(recording) }
+            }
         }
     }
 }
