@@ -61,7 +61,7 @@ class ScreensTest {
 
     @Test fun theLiveScreenSaysWhereOneIsAndAnswers() {
         live(on)
-        rule.onNodeWithContentDescription("Map of Sample. Room 1, Office.").assertIsDisplayed()
+        rule.onNodeWithContentDescription("Map of Sample, level 0. 2 rooms, 1 exit. You are in Room 1, Office.").assertIsDisplayed()
         rule.onNodeWithText("Door right, six feet.").assertIsDisplayed()
         rule.onNodeWithText("Where am I?").assertHeightIsAtLeast(100.dp).performClick()
         rule.onNodeWithText("Stop").assertHeightIsAtLeast(48.dp).performClick()

@@ -4,6 +4,7 @@ import android.content.Context
 import androidx.test.core.app.ApplicationProvider
 import kotlinx.coroutines.runBlocking
 import org.echoway.app.building.BundledBuildings
+import org.echoway.app.engine.Picture
 import org.echoway.app.settings.Settings
 import org.echoway.app.settings.SourceKind
 import org.echoway.app.testing.SamplePlan
@@ -17,7 +18,15 @@ import org.echoway.app.ui.setup.SetupActions
 import org.echoway.app.ui.setup.SetupScreen
 import org.echoway.app.ui.setup.SetupUiState
 import org.echoway.app.ui.setup.SourceOption
+import org.echoway.core.Destination
+import org.echoway.core.DestinationKind
+import org.echoway.core.Door
 import org.echoway.core.Plan
+import org.echoway.core.Point
+import org.echoway.core.Route
+import org.echoway.core.Spot
+import org.echoway.core.Waypoint
+import org.echoway.core.WaypointKind
 
 /** Every screen of the app. */
 fun specimens(): List<Specimen> = liveSpecimens() + choosingSpecimens() + dataSpecimens()
@@ -36,7 +45,22 @@ private fun tracking() = LiveUiState.On(
     level = 3,
     voiceMissing = false,
     permissionMissing = false,
+    picture = pictureToHall(),
 )
+
+/** From room 4 through the corridor and room 1 to the hall; the wearer came from room 3. */
+private fun pictureToHall(): Picture {
+    fun room(id: String) = torgersen.rooms.indexOfFirst { it.id == id }
+    fun door(from: String, to: String) = torgersen.doors.first { setOf(it.a.room, it.b.room) == setOf(room(from), room(to)) }
+    fun Door.through(from: String, to: String) = Waypoint(Spot(room(from), seenFrom(room(from))!!), WaypointKind.DOOR, 0, Spot(room(to), seenFrom(room(to))!!))
+    val here = Spot(room("4"), Point(2.4, 2.6))
+    val doors = listOf("4" to "2", "2" to "1", "1" to "hall").map { (from, to) -> door(from, to).through(from, to) }
+    val goal = doors.last().next!!.let { it.copy(at = Point(it.at.x, it.at.y - 3.0)) }
+    val way = listOf(Waypoint(here, WaypointKind.START, -1, null)) + doors + Waypoint(goal, WaypointKind.GOAL, -1, null)
+    val came = door("3", "2").seenFrom(room("3"))!!
+    val trail = (0..8).map { Spot(room("3"), Point(came.x + it * 0.3, came.y)) }
+    return Picture(Route(way, 14.0, 0.4, usesStairs = false, usesElevator = false, Destination(DestinationKind.ROOM, room("hall"))), trail)
+}
 
 private fun live(name: String, variants: Set<Variant> = LIGHT_ONLY, state: () -> LiveUiState) =
     Specimen(name, variants) { LiveScreen(state(), LiveActions({}, {}, {}, {}, {})) }

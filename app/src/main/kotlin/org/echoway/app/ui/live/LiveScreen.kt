@@ -4,6 +4,7 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ColumnScope
 import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
@@ -12,8 +13,14 @@ import androidx.compose.material3.MaterialTheme
 import androidx.compose.material3.Surface
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableIntStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.saveable.rememberSaveable
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalConfiguration
 import androidx.compose.ui.res.stringResource
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
@@ -21,10 +28,16 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import org.echoway.app.R
+import org.echoway.app.engine.Picture
 import org.echoway.app.ui.common.Action
 import org.echoway.app.ui.common.BigButton
 import org.echoway.app.ui.common.Heading
 import org.echoway.app.ui.map.LevelMap
+import org.echoway.app.ui.map.MapControls
+import org.echoway.app.ui.map.rememberMapCamera
+import org.echoway.core.Estimate
+import org.echoway.core.LengthStyle
+import org.echoway.core.Plan
 
 /** What the wearer can ask of the live screen. */
 data class LiveActions(
@@ -65,32 +78,66 @@ private fun ColumnScope.Notice(text: String, actions: LiveActions) {
 @Composable
 private fun ColumnScope.Off(state: LiveUiState.Off, actions: LiveActions) {
     Heading(state.building)
-    val level = state.plan.rooms.first().level
-    LevelMap(state.plan, level, null, stringResource(R.string.map_of, state.building), Modifier.weight(1f).fillMaxWidth())
-    Text(stringResource(R.string.state_off), style = MaterialTheme.typography.titleMedium)
-    BigButton(stringResource(R.string.start), onClick = actions.onStart)
-    Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp)) {
-        Action(stringResource(R.string.setup), Modifier.weight(1f), onClick = actions.onSetup)
-        Action(stringResource(R.string.menu), Modifier.weight(1f), onClick = actions.onMenu)
+    BesideOrBelow(
+        first = { Map(state.building, state.plan, state.plan.rooms.first().level, null, Picture(), state.lengths, it) },
+    ) {
+        Text(stringResource(R.string.state_off), style = MaterialTheme.typography.titleMedium)
+        BigButton(stringResource(R.string.start), onClick = actions.onStart)
+        Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp)) {
+            Action(stringResource(R.string.setup), Modifier.weight(1f), onClick = actions.onSetup)
+            Action(stringResource(R.string.menu), Modifier.weight(1f), onClick = actions.onMenu)
+        }
     }
 }
 
 @Composable
 private fun ColumnScope.On(state: LiveUiState.On, actions: LiveActions) {
     Heading(state.building)
-    val description = stringResource(R.string.map_with_wearer, state.building, state.words)
-    LevelMap(state.plan, state.level, state.wearer, description, Modifier.weight(1f).fillMaxWidth())
-    // The voice says this already; TalkBack reads it on demand instead of talking over the guidance.
-    Text(state.words, style = MaterialTheme.typography.headlineSmall, textAlign = TextAlign.Center)
-    if (state.lastLine.isNotEmpty() && state.lastLine != state.words) {
-        Text(state.lastLine, style = MaterialTheme.typography.bodyLarge, textAlign = TextAlign.Center)
-    }
-    if (state.voiceMissing) {
-        Text(stringResource(R.string.voice_missing), color = MaterialTheme.colorScheme.error, textAlign = TextAlign.Center)
-    }
-    BigButton(stringResource(R.string.where_am_i), onClick = actions.onWhereAmI)
-    Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp)) {
-        Action(stringResource(R.string.stop), Modifier.weight(1f), onClick = actions.onStop)
-        Action(stringResource(R.string.menu), Modifier.weight(1f), onClick = actions.onMenu)
+    BesideOrBelow(
+        first = { Map(state.building, state.plan, state.level, state.wearer, state.picture, state.lengths, it) },
+    ) {
+        // The voice says this already; TalkBack reads it on demand instead of talking over the guidance.
+        Text(state.words, style = MaterialTheme.typography.headlineSmall, textAlign = TextAlign.Center)
+        if (state.lastLine.isNotEmpty() && state.lastLine != state.words) {
+            Text(state.lastLine, style = MaterialTheme.typography.bodyLarge, textAlign = TextAlign.Center)
+        }
+        if (state.voiceMissing) {
+            Text(stringResource(R.string.voice_missing), color = MaterialTheme.colorScheme.error, textAlign = TextAlign.Center)
+        }
+        BigButton(stringResource(R.string.where_am_i), onClick = actions.onWhereAmI)
+        Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp)) {
+            Action(stringResource(R.string.stop), Modifier.weight(1f), onClick = actions.onStop)
+            Action(stringResource(R.string.menu), Modifier.weight(1f), onClick = actions.onMenu)
+        }
     }
 }
+
+/** The map above the rest, or beside it where the screen is wide and low. */
+@Composable
+private fun ColumnScope.BesideOrBelow(first: @Composable (Modifier) -> Unit, rest: @Composable ColumnScope.() -> Unit) {
+    val window = LocalConfiguration.current
+    if (window.screenWidthDp > window.screenHeightDp && window.screenWidthDp >= WIDE_DP) {
+        Row(Modifier.weight(1f).fillMaxWidth(), Arrangement.spacedBy(16.dp), Alignment.Bottom) {
+            first(Modifier.weight(1.4f).fillMaxHeight())
+            Column(Modifier.weight(1f), Arrangement.spacedBy(12.dp), Alignment.CenterHorizontally, rest)
+        }
+    } else {
+        first(Modifier.weight(1f).fillMaxWidth())
+        rest()
+    }
+}
+
+/** The map of the level where the wearer is, or of another that they look at. */
+@Composable
+private fun Map(title: String, plan: Plan, level: Int, wearer: Estimate?, picture: Picture, lengths: LengthStyle, modifier: Modifier) {
+    val camera = rememberMapCamera()
+    // A new level under the wearer's feet is a new picture; until then they may look at others.
+    var shown by rememberSaveable(level) { mutableIntStateOf(level) }
+    val levels = remember(plan) { plan.rooms.map { it.level }.distinct().sorted() }
+    Column(modifier, horizontalAlignment = Alignment.CenterHorizontally) {
+        LevelMap(title, plan, shown, wearer, picture, lengths, camera, Modifier.weight(1f).fillMaxWidth())
+        MapControls(camera, wearer != null, levels, shown, { shown = it })
+    }
+}
+
+private const val WIDE_DP = 700

@@ -1,6 +1,8 @@
 package org.echoway.app.ui.live
 
+import org.echoway.app.engine.Picture
 import org.echoway.core.Estimate
+import org.echoway.core.LengthStyle
 import org.echoway.core.Plan
 
 /** What the live screen shows. */
@@ -12,7 +14,7 @@ sealed interface LiveUiState {
     data object NeedsSetup : LiveUiState
 
     /** Guidance is off; the map of the chosen building can be looked at. */
-    data class Off(val building: String, val plan: Plan) : LiveUiState
+    data class Off(val building: String, val plan: Plan, val lengths: LengthStyle = LengthStyle.FEET) : LiveUiState
 
     /** Guidance could not begin. */
     data class Failed(val reason: String) : LiveUiState
@@ -23,6 +25,8 @@ sealed interface LiveUiState {
      * @property words the state in words
      * @property lastLine what was said last
      * @property wearer where the wearer is drawn; null while no room is known
+     * @property picture trail and way
+     * @property lengths the wearer's unit
      * @property voiceMissing the phone cannot speak
      * @property permissionMissing the belt waits for leave to be used
      */
@@ -35,5 +39,7 @@ sealed interface LiveUiState {
         val level: Int,
         val voiceMissing: Boolean,
         val permissionMissing: Boolean,
+        val picture: Picture = Picture(),
+        val lengths: LengthStyle = LengthStyle.FEET,
     ) : LiveUiState
 }

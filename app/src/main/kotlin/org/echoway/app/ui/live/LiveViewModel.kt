@@ -17,6 +17,7 @@ import org.echoway.app.engine.Line
 import org.echoway.app.engine.NavigationState
 import org.echoway.app.ui.StateWords
 import org.echoway.app.voice.VoiceStatus
+import org.echoway.core.LengthStyle
 import org.echoway.core.Plan
 
 /** Turns navigation into what the live screen shows. */
@@ -31,6 +32,8 @@ class LiveViewModel(private val container: AppContainer, private val words: Stat
 
     val uiState: StateFlow<LiveUiState> =
         combine(chosen, container.navigator.state, container.guide.lastLine, container.voice.status, ::show)
+            .combine(container.navigator.picture) { state, picture -> if (state is LiveUiState.On) state.copy(picture = picture) else state }
+            .combine(container.settings.settings.map { it.lengths }.distinctUntilChanged(), ::measured)
             .stateIn(viewModelScope, SharingStarted.WhileSubscribed(STOP_AFTER_MS), LiveUiState.Loading)
 
     fun whereAmI() = container.guide.whereAmI()
@@ -42,6 +45,12 @@ class LiveViewModel(private val container: AppContainer, private val words: Stat
             is Choice.Building -> LiveUiState.Off(chosen.building.title, chosen.building.plan)
             Choice.Nothing -> LiveUiState.NeedsSetup
         }
+    }
+
+    private fun measured(state: LiveUiState, lengths: LengthStyle) = when (state) {
+        is LiveUiState.On -> state.copy(lengths = lengths)
+        is LiveUiState.Off -> state.copy(lengths = lengths)
+        else -> state
     }
 
     private fun on(state: NavigationState.Running, lastLine: String, voice: VoiceStatus): LiveUiState.On {

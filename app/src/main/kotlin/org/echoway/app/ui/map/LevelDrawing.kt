@@ -1,10 +1,8 @@
 package org.echoway.app.ui.map
 
-import androidx.compose.ui.geometry.Offset
 import kotlin.math.atan2
 import kotlin.math.hypot
 import kotlin.math.max
-import kotlin.math.min
 import kotlin.math.sqrt
 import org.echoway.core.Door
 import org.echoway.core.Estimate
@@ -64,23 +62,6 @@ class LevelDrawing(val rooms: List<DrawnRoom>, val doors: List<Wall>, val bounds
             val t = (((p.x - wall.a.x) * d.x + (p.y - wall.a.y) * d.y) / (d.x * d.x + d.y * d.y)).coerceIn(0.0, 1.0)
             return p.distanceTo(Point(wall.a.x + t * d.x, wall.a.y + t * d.y))
         }
-    }
-}
-
-/** Takes metres of a level to pixels: as large as fits, y up. */
-class MapView(private val bounds: Bounds, val scale: Float, private val left: Float, private val top: Float) {
-    operator fun invoke(p: Point) =
-        Offset(left + ((p.x - bounds.left) * scale).toFloat(), top + ((bounds.top - p.y) * scale).toFloat())
-
-    companion object {
-        fun fitting(bounds: Bounds, width: Float, height: Float, margin: Float): MapView {
-            val across = max(bounds.right - bounds.left, MIN_EXTENT_M)
-            val up = max(bounds.top - bounds.bottom, MIN_EXTENT_M)
-            val scale = min((width - 2 * margin) / across, (height - 2 * margin) / up).toFloat()
-            return MapView(bounds, scale, ((width - across * scale) / 2).toFloat(), ((height - up * scale) / 2).toFloat())
-        }
-
-        private const val MIN_EXTENT_M = 1.0
     }
 }
 

@@ -1,118 +1,134 @@
 package org.echoway.app.ui.map
 
 import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.gestures.detectTransformGestures
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.material3.MaterialTheme
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.draw.clipToBounds
+import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.geometry.Size
-import androidx.compose.ui.graphics.Color
-import androidx.compose.ui.graphics.Path
-import androidx.compose.ui.graphics.PathFillType
-import androidx.compose.ui.graphics.StrokeCap
-import androidx.compose.ui.graphics.drawscope.DrawScope
-import androidx.compose.ui.graphics.drawscope.Stroke
-import androidx.compose.ui.graphics.drawscope.rotate
+import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.layout.Layout
+import androidx.compose.ui.layout.onSizeChanged
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.LocalResources
 import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.isTraversalGroup
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.TextMeasurer
-import androidx.compose.ui.text.TextStyle
-import androidx.compose.ui.text.drawText
+import androidx.compose.ui.semantics.traversalIndex
 import androidx.compose.ui.text.rememberTextMeasurer
+import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.dp
-import kotlin.math.max
+import androidx.compose.ui.unit.toSize
+import kotlin.math.roundToInt
+import org.echoway.app.engine.Picture
 import org.echoway.core.Estimate
+import org.echoway.core.LengthStyle
 import org.echoway.core.Plan
+import org.echoway.core.Point
 
-/** Colours of a map. */
-data class MapColours(val floor: Color, val here: Color, val wall: Color, val door: Color, val label: Color, val wearer: Color)
-
-/** One level of a floor plan with its walls, doors and rooms' names, and the wearer where they are. */
+/**
+ * One level of a floor plan with its walls, doors, places and exits, the wearer, the trail behind and the way ahead.
+ * Fingers move and spread it. A screen reader reads it as a sentence, then room by room, the nearest first, and finds a
+ * room under the finger.
+ */
 @Composable
-fun LevelMap(plan: Plan, level: Int, wearer: Estimate?, description: String, modifier: Modifier = Modifier) {
+fun LevelMap(
+    title: String,
+    plan: Plan,
+    level: Int,
+    wearer: Estimate?,
+    picture: Picture,
+    lengths: LengthStyle,
+    camera: MapCamera,
+    modifier: Modifier = Modifier,
+) {
+    val resources = LocalResources.current
     val drawing = remember(plan, level) { LevelDrawing.of(plan, level) }
-    val scheme = MaterialTheme.colorScheme
-    val colours = MapColours(
-        floor = scheme.surfaceVariant,
-        here = scheme.primaryContainer,
-        wall = scheme.onSurface,
-        door = scheme.tertiary,
-        label = scheme.onSurfaceVariant,
-        wearer = scheme.primary,
-    )
+    val marks = remember(plan, level, picture) { MapMarks.of(plan, level, picture) }
+    val words = remember(title, plan, resources, lengths) { MapWords(resources, title, plan, lengths) }
+    val mark = wearer?.takeIf { plan.rooms.getOrNull(it.room)?.level == level }?.let { WearerMark.of(plan, it) }
+    var canvas by remember { mutableStateOf(Size.Zero) }
+    val margin = with(LocalDensity.current) { MARGIN.toPx() }
+    val view = camera.view(drawing.bounds, canvas, margin, mark)
+    val shown by rememberUpdatedState(view)
+    val way = picture.route.lengthM.takeIf { picture.route.waypoints.isNotEmpty() }
+    Box(
+        modifier
+            .clipToBounds()
+            .onSizeChanged { canvas = it.toSize() }
+            .pointerInput(camera) { detectTransformGestures { _, pan, zoom, _ -> camera.gesture(shown, pan, zoom) } }
+            .semantics { isTraversalGroup = true },
+    ) {
+        MapCanvas(drawing, marks, mark, wearer?.room, view, words.sentence(level, wearer, way))
+        if (canvas != Size.Zero) RoomNodes(drawing, view, canvas, mark?.at) { words.room(it, wearer) }
+    }
+}
+
+@Composable
+private fun MapCanvas(drawing: LevelDrawing, marks: MapMarks, mark: WearerMark?, here: Int?, view: MapView, sentence: String) {
+    val colours = MapColours.of(MaterialTheme.colorScheme)
     val measurer = rememberTextMeasurer()
-    val labelStyle = MaterialTheme.typography.labelMedium
-    Canvas(modifier.semantics { contentDescription = description }) {
-        val view = MapView.fitting(drawing.bounds, size.width, size.height, MARGIN.toPx())
-        drawRooms(drawing, view, colours, wearer?.room)
+    val style = MaterialTheme.typography.labelMedium
+    Canvas(
+        Modifier.fillMaxSize().semantics {
+            contentDescription = sentence
+            traversalIndex = -1f
+        },
+    ) {
+        drawRooms(drawing, view, colours, here)
         drawDoors(drawing, view, colours)
-        drawLabels(drawing.rooms.filter { it.index != wearer?.room }, view, colours, measurer, labelStyle)
-        if (wearer != null && plan.rooms.getOrNull(wearer.room)?.level == level) drawWearer(WearerMark.of(plan, wearer), view, colours)
+        drawLabels(drawing.rooms.filter { it.index != here }, marks.places, view, colours, measurer, style)
+        drawExits(marks.exits, view, colours)
+        drawPlaces(marks.places, view, colours)
+        drawTrail(marks.trail, view, colours)
+        drawWay(marks.way, view, colours)
+        if (mark != null) drawWearer(mark, view, colours)
     }
 }
 
-private fun DrawScope.drawRooms(drawing: LevelDrawing, view: MapView, colours: MapColours, here: Int?) {
-    for (room in drawing.rooms) {
-        val floor = Path().apply { fillType = PathFillType.EvenOdd }
-        for (loop in room.boundary) {
-            loop.forEachIndexed { i, p -> view(p).let { if (i == 0) floor.moveTo(it.x, it.y) else floor.lineTo(it.x, it.y) } }
-            floor.close()
+/** Nothing to see: what a screen reader finds where a room is drawn. */
+@Composable
+private fun RoomNodes(drawing: LevelDrawing, view: MapView, canvas: Size, from: Point?, words: (Int) -> String) {
+    val seen = drawing.rooms.mapNotNull { room -> room.seen(view, canvas)?.let { room to it } }
+        .sortedBy { (room, _) -> from?.distanceTo(room.middle) ?: 0.0 }
+    Layout(
+        content = {
+            seen.forEachIndexed { order, (room, _) ->
+                val said = words(room.index)
+                Box(
+                    Modifier.semantics {
+                        contentDescription = said
+                        traversalIndex = order.toFloat()
+                    },
+                )
+            }
+        },
+    ) { measurables, constraints ->
+        val boxes = seen.map { it.second }
+        val placeables = measurables.mapIndexed { i, each ->
+            each.measure(Constraints.fixed(boxes[i].width.roundToInt().coerceAtLeast(1), boxes[i].height.roundToInt().coerceAtLeast(1)))
         }
-        drawPath(floor, if (room.index == here) colours.here else colours.floor)
-    }
-    for (room in drawing.rooms) {
-        for (wall in room.walls) drawLine(colours.wall, view(wall.a), view(wall.b), WALL.toPx(), StrokeCap.Round)
-    }
-}
-
-private fun DrawScope.drawDoors(drawing: LevelDrawing, view: MapView, colours: MapColours) {
-    // The floor's colour first: it opens the walls that run through the doorway.
-    for (door in drawing.doors) drawLine(colours.floor, view(door.a), view(door.b), DOORWAY.toPx())
-    for (door in drawing.doors) drawLine(colours.door, view(door.a), view(door.b), DOOR.toPx())
-}
-
-/** The wearer's own room goes without: its name stands below the map, and the wearer would hide it. */
-private fun DrawScope.drawLabels(rooms: List<DrawnRoom>, view: MapView, colours: MapColours, measurer: TextMeasurer, style: TextStyle) {
-    for (room in rooms) {
-        val lines = listOf(room.id, room.name).filter { it.isNotEmpty() }.distinctBy { it.lowercase() }
-        val layouts = lines.map { measurer.measure(it, style) }
-        val width = view.scale * room.width - 2 * LABEL_MARGIN.toPx()
-        // A name that does not fit its room would be taken for its neighbour's.
-        val fitting = layouts.filter { it.size.width <= width }
-        var top = view(room.middle).y - fitting.sumOf { it.size.height } / 2f
-        for (layout in fitting) {
-            drawText(layout, colours.label, Offset(view(room.middle).x - layout.size.width / 2f, top))
-            top += layout.size.height
+        layout(constraints.maxWidth, constraints.maxHeight) {
+            placeables.forEachIndexed { i, each -> each.place(boxes[i].left.roundToInt(), boxes[i].top.roundToInt()) }
         }
     }
 }
 
-private fun DrawScope.drawWearer(mark: WearerMark, view: MapView, colours: MapColours) {
-    val at = view(mark.at)
-    val radii = Size(2 * mark.majorM * view.scale, 2 * mark.minorM * view.scale)
-    rotate(-mark.majorDegrees, at) {
-        val corner = Offset(at.x - radii.width / 2, at.y - radii.height / 2)
-        drawOval(colours.wearer.copy(alpha = 0.25f), corner, radii)
-        drawOval(colours.wearer, corner, radii, style = Stroke(1.dp.toPx()))
-    }
-    val size = ARROW.toPx()
-    rotate(-mark.headingDegrees, at) {
-        val arrow = Path().apply {
-            moveTo(at.x + size, at.y)
-            lineTo(at.x - size * 0.7f, at.y - size * 0.7f)
-            lineTo(at.x - size * 0.3f, at.y)
-            lineTo(at.x - size * 0.7f, at.y + size * 0.7f)
-            close()
-        }
-        drawPath(arrow, colours.wearer)
-        drawPath(arrow, colours.floor, style = Stroke(max(1f, 1.5.dp.toPx())))
-    }
+/** Where a room is on the canvas; null when it is outside. */
+private fun DrawnRoom.seen(view: MapView, canvas: Size): Rect? {
+    val corners = listOf(bounds.left to bounds.bottom, bounds.right to bounds.bottom, bounds.right to bounds.top, bounds.left to bounds.top)
+        .map { (x, y) -> view(Point(x, y)) }
+    val box = Rect(corners.minOf { it.x }, corners.minOf { it.y }, corners.maxOf { it.x }, corners.maxOf { it.y })
+    return box.intersect(Rect(0f, 0f, canvas.width, canvas.height)).takeIf { it.width > 0 && it.height > 0 }
 }
 
 private val MARGIN = 16.dp
-private val WALL = 2.dp
-private val DOOR = 3.dp
-private val DOORWAY = 6.dp
-private val ARROW = 12.dp
-private val LABEL_MARGIN = 4.dp
