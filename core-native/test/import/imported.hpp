@@ -63,19 +63,14 @@ inline std::filesystem::path test_plan(const std::string& name) {
   return std::filesystem::path(ECHOWAY_TEST_DATA_DIR) / "import" / name;
 }
 
-/// Fails the test when the plan cannot be imported or its building cannot be loaded.
-inline ImportedPlan import_plan(SourceFormat format, const std::filesystem::path& source) {
+/// Fails the test when the building cannot be written or loaded.
+inline ImportedPlan written_and_read(const ImportedBuilding& imported) {
   ImportedPlan plan;
-  const auto imported = import_building(format, source, plan.report);
-  if (!imported) {
-    ADD_FAILURE() << imported.error().to_string();
-    return plan;
-  }
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   const std::filesystem::path out = std::filesystem::path(testing::TempDir()) /
-                                    ("echoway-" + source.filename().string() + "-" +
-                                     testing::UnitTest::GetInstance()->current_test_info()->name());
+                                    (std::string("echoway-") + test->test_suite_name() + "-" + test->name());
   std::filesystem::remove_all(out);
-  const Status written = write_imported(imported->building, out, plan.findings);
+  const Status written = write_imported(imported.building, out, plan.findings);
   EXPECT_TRUE(written) << (written ? "" : written.error().to_string());
   Result<Building> loaded = load_building(out);
   std::filesystem::remove_all(out);
@@ -84,6 +79,19 @@ inline ImportedPlan import_plan(SourceFormat format, const std::filesystem::path
   } else {
     ADD_FAILURE() << loaded.error().to_string();
   }
+  return plan;
+}
+
+/// Fails the test when the plan cannot be imported or its building cannot be loaded.
+inline ImportedPlan import_plan(SourceFormat format, const std::filesystem::path& source) {
+  Report report;
+  const auto imported = import_building(format, source, report);
+  if (!imported) {
+    ADD_FAILURE() << imported.error().to_string();
+    return {};
+  }
+  ImportedPlan plan = written_and_read(*imported);
+  plan.report = std::move(report);
   return plan;
 }
 

@@ -212,7 +212,8 @@ class Placer {
     }
     PlacedDoor placed{door.source, door.name, candidate.centre, candidate.along,
                       door.width > 0.0 && door.area.empty() ? door.width : candidate.width,
-                      sides.front.cell, sides.back.cell, sides.front.distance, sides.back.distance};
+                      sides.front.cell, sides.back.cell, sides.front.distance, sides.back.distance,
+                      door.area.empty() ? Shape() : shape_of(door.area)};
     const bool exit = placed.front < 0 || placed.back < 0;
     if (placed.front < 0) {  // the cell is always in front
       std::swap(placed.front, placed.back);
@@ -260,6 +261,7 @@ class Placer {
     const double high = std::max(0.5 * a.width, offset + 0.5 * b.width);
     a.centre = a.centre + (0.5 * (low + high)) * a.along;
     a.width = high - low;
+    a.drawn = a.drawn.empty() || b.drawn.empty() ? Shape() : geos::unite({a.drawn, b.drawn});
     if (a.name.empty()) a.name = b.name;
     if (report_ != nullptr) {
       report_->note(b.source, floor_.plan->short_name, a.centre, "joined with " + a.source.id + ": leaves of one door");

@@ -21,6 +21,7 @@ struct PlacedDoor {
   int back = kOutside;        ///< Cell behind.
   double to_front = 0.0;      ///< Metres from the centre to where the cell in front begins.
   double to_back = 0.0;
+  geos::Shape drawn;          ///< The door as the plan draws it, when it draws an area.
 };
 
 struct DoorPlacement {
