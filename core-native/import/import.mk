@@ -10,3 +10,18 @@ westport-house: core ## Make maps/westport-house from the plan in its source fol
 .PHONY: westport-pictures
 westport-pictures: westport-house ## Draw every level of Westport House into build/plots
 	@$(PYTHON) scripts/draw_building.py $(WESTPORT) --out $(BUILD)/plots
+
+LEVELS := $(BUILD)/demo-levels
+
+.PHONY: demo-levels
+demo-levels: core ## A walk from the street up two storeys of Westport House: what the wearer hears, the error, a picture
+	@mkdir -p $(LEVELS)
+	@echo "A wearer walks from the street up two flights of stairs to an office on the second floor. They hear:"
+	@$(ECHOWAY) simulate --building $(WESTPORT) --walk $(WESTPORT)/walks/three-levels.walk --out $(LEVELS)/walk
+	@$(ECHOWAY) locate --building $(WESTPORT) --scans $(LEVELS)/walk.scans.csv --motion $(LEVELS)/walk.motion.csv \
+	    --start g-vestibule,4.2,4.2,-90 --to "WRLD Office" --track $(LEVELS)/tracker.track.csv --cues $(LEVELS)/cues.csv
+	@echo "The tracker against the truth:"
+	@$(ECHOWAY) score --building $(WESTPORT) --track $(LEVELS)/tracker.track.csv --truth $(LEVELS)/walk.truth.csv
+	@$(PYTHON) scripts/plot_track.py --echoway $(ECHOWAY) --building $(WESTPORT) --truth $(LEVELS)/walk.truth.csv \
+	    --track $(LEVELS)/tracker.track.csv --out $(LEVELS)/walk.png
+	@echo "Picture: $(LEVELS)/walk.png"

@@ -1,5 +1,7 @@
 #include "guidance/certainty.hpp"
 
+#include <algorithm>
+
 namespace echoway::guidance {
 
 void Certainty::update(const Estimate& e, bool suspended) noexcept {
@@ -13,8 +15,12 @@ void Certainty::update(const Estimate& e, bool suspended) noexcept {
   const bool lost = level_ == Level::lost;
   const bool change = lost ? good : bad && !suspended;
   if (!change) changing_since_ = e.time_s;
-  if (change && e.time_s - changing_since_ >= (lost ? c.found_after_s : c.lost_after_s)) {
+  if (change && e.time_s - changing_since_ >= (lost ? doubt_ * c.found_after_s : c.lost_after_s)) {
     level_ = lost ? Level::sure : Level::lost;
+    // A place that was lost again at once was none: the next one has to fit for longer.
+    constexpr double kMostDoubt = 8.0;
+    if (lost && was_sure_) found_at_ = e.time_s;
+    if (!lost) doubt_ = e.time_s - found_at_ < c.relapse_s ? std::min(2.0 * doubt_, kMostDoubt) : 1.0;
     was_sure_ = was_sure_ || lost;
     changing_since_ = e.time_s;
   }

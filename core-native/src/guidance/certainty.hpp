@@ -28,6 +28,8 @@ class Certainty {
   Level level_ = Level::lost;
   bool was_sure_ = false;
   bool fits_now_ = false;
+  double doubt_ = 1.0;           ///< How much longer than usual a place must fit to be believed.
+  double found_at_ = -1e300;
   bool started_ = false;
   double changing_since_ = 0.0;  ///< Since when the estimate says something other than level_.
 };

@@ -16,6 +16,17 @@ constexpr std::array<double, 4> kRadii{0.55, 0.35, 0.2, 0.08};
 
 }  // namespace
 
+Hindrances::Hindrances(const GuideConfig& config) : config_(&config) {
+  constexpr std::size_t kLine = 64;  // corners of a way in one room; more grow the memory once
+  constexpr std::size_t kNodes = kLine + kMost * kRing;
+  near_.reserve(kMost);
+  nodes_.reserve(kNodes);
+  costs_.reserve(kNodes);
+  before_.reserve(kNodes);
+  done_.reserve(kNodes);
+  bent_.reserve(2 * kNodes);
+}
+
 bool Hindrances::counts(const Disc& disc, RoomIndex room, double time_s) const noexcept {
   return disc.room == room && time_s - disc.seen_s <= kRemembered;
 }

@@ -13,7 +13,7 @@ namespace echoway::guidance {
 /// Things in the way that no plan knows, remembered for a while as discs, and the way round them.
 class Hindrances {
  public:
-  explicit Hindrances(const GuideConfig& config) : config_(&config) {}
+  explicit Hindrances(const GuideConfig& config);
 
   /// Something stands at `at`, seen or touched at `time_s`. What is close to a known thing renews it.
   void add(RoomIndex room, Vec2 at, double time_s) noexcept;

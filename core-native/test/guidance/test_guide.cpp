@@ -136,6 +136,22 @@ TEST_F(GuideTest, LostItSaysSoAndNothingElseUntilItIsFound) {
   EXPECT_EQ(found.front().tail.kind, CueKind::turn);
 }
 
+TEST_F(GuideTest, BelievesAPlaceLessReadilyEachTimeItIsLostAgain) {
+  (void)wearer.stand(3.0, 0, {1, 1.0}, 0.0);
+  const auto seconds_until_found = [&] {
+    (void)wearer.stay(4.0, lost(0));
+    for (double s = 0.0; s < 10.0; s += 0.1) {
+      for (const Cue& cue : wearer.stand(0.1, 0, {1, 1.0}, 0.0)) {
+        if (cue.kind == CueKind::found) return s;
+      }
+    }
+    return 1e9;
+  };
+  const double first = seconds_until_found();
+  (void)seconds_until_found();
+  EXPECT_GT(seconds_until_found(), 1.9 * first);
+}
+
 TEST_F(GuideTest, ABriefDoubtIsNotWorthAWord) {
   (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
   (void)wearer.stay(1.0, lost(0));

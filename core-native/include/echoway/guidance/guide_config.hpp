@@ -23,6 +23,7 @@ struct GuideConfig {
   double found_probability = 0.7;
   double lost_after_s = 1.5;          ///< How long it must stay so before the wearer is told.
   double found_after_s = 0.6;
+  double relapse_s = 20.0;            ///< Lost again so soon after it was found: the next find must last twice as long.
   double vague_sigma_m = 0.6;         ///< Above: only coarse instructions.
   double vague_probability = 0.8;
   double probe_gap_s = 9.0;           ///< Between two requests to turn or step while lost.
