@@ -257,6 +257,20 @@ JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_repeat(JNIEnv*, jclass, 
   return with_session(handle, [](Session& session) { return session.repeat() ? 1 : 0; });
 }
 
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_hasDestination(JNIEnv*, jclass, jlong handle) {
+  return with_session(handle, [](Session& session) { return session.has_destination() ? 1 : 0; });
+}
+
+/// Metres; negative when nothing is in the way or the handle is stale.
+JNIEXPORT jdouble JNICALL Java_org_echoway_core_NativeCore_obstacleAhead(JNIEnv*, jclass, jlong handle) {
+  return guarded(
+      [&]() -> jdouble {
+        const auto session = session_table().find(handle);
+        return session ? session->obstacle_ahead_m() : -1.0;
+      },
+      -1.0);
+}
+
 // What a picture of the session needs: bytes that it takes, written when the buffer is large enough.
 
 JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_route(JNIEnv* env, jclass, jlong handle, jobject out) {

@@ -87,6 +87,11 @@ class Session {
 
   /// Takes the next cue that is to be spoken; false when there is none. Words for it: echoway/speech/speaker.hpp.
   bool next_cue(Cue& cue);
+  /// False once the wearer has arrived and stays.
+  [[nodiscard]] bool has_destination() const;
+  /// How far the nearest thing in the way is that no plan knows, metres from the chest; negative when there is none, or the
+  /// position is not known well enough to tell.
+  [[nodiscard]] double obstacle_ahead_m() const;
   /// The way to the destination from where the wearer is; empty without one.
   [[nodiscard]] const Route& route() const;
   /// Where the wearer has been, oldest first, thinned.

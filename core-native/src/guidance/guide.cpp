@@ -65,6 +65,7 @@ struct Guide::Impl {
   bool room_pending = false;
   double room_since = 0.0;
   double obstacle_told = -1e300;
+  double obstacle_m = -1.0;          ///< Of what is in the way now.
   std::int32_t free_door = -1;
   // Answers wait here for the voice, first to last.
   std::array<Cue, 3> asked{};
@@ -116,6 +117,7 @@ bool Guide::repeat() { return impl_->voice.ask_again(); }
 bool Guide::next_cue(Cue& cue) { return impl_->voice.pop(cue); }
 std::optional<LevelTransition> Guide::take_level_transition() { return impl_->follower.take_transition(); }
 bool Guide::has_destination() const { return impl_->follower.active(); }
+double Guide::obstacle_ahead_m() const { return impl_->obstacle_m; }
 const Route& Guide::route() const { return impl_->follower.route(); }
 std::span<const Spot> Guide::breadcrumbs() const { return impl_->crumbs; }
 
@@ -134,6 +136,7 @@ void Guide::on_estimate(const Estimate& estimate, std::span<const Hypothesis> hy
   Impl& g = *impl_;
   if (!std::isfinite(estimate.time_s)) return;
   g.estimate = estimate;
+  g.obstacle_m = -1.0;
   g.voice.answer(estimate.time_s);
   Estimate judged = estimate;
   if (!g.position_usable()) judged.state = TrackState::lost;
@@ -210,13 +213,13 @@ void Guide::Impl::note_room() {
 
 void Guide::Impl::tell_obstacle() {
   const double now = estimate.time_s;
-  if (certainty.level() == Certainty::Level::sure) {
-    obstacles.steady(estimate, [&](Vec2 at) { follower.note_obstacle(estimate, at); });
-  }
-  if (certainty.level() != Certainty::Level::sure || now - obstacle_told < config.repeat_gap_s) return;
+  if (certainty.level() != Certainty::Level::sure) return;
+  obstacles.steady(estimate, [&](Vec2 at) { follower.note_obstacle(estimate, at); });
   const double reach = config.obstacle_m + std::max(0.0, estimate.speed_mps) * (config.reaction_s + 1.2);
   const auto thing = obstacles.nearest(estimate, reach);
   if (!thing.present) return;
+  obstacle_m = thing.distance_m;
+  if (now - obstacle_told < config.repeat_gap_s) return;
   Cue cue = make_cue(CueKind::obstacle);
   cue.direction = thing.direction;
   cue.has_direction = true;

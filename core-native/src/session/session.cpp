@@ -210,6 +210,8 @@ void Session::clear_destination() { impl_->guide.clear_destination(); }
 void Session::where_am_i() { impl_->guide.where_am_i(); }
 bool Session::repeat() { return impl_->guide.repeat(); }
 bool Session::next_cue(Cue& cue) { return impl_->guide.next_cue(cue); }
+bool Session::has_destination() const { return impl_->guide.has_destination(); }
+double Session::obstacle_ahead_m() const { return impl_->guide.obstacle_ahead_m(); }
 const Route& Session::route() const { return impl_->guide.route(); }
 std::span<const Spot> Session::breadcrumbs() const { return impl_->guide.breadcrumbs(); }
 

@@ -201,6 +201,9 @@ TEST_F(GuideTest, WarnsOfASteadyThingThatNoPlanKnows) {
   ASSERT_THAT(kinds(cues), ElementsAre(CueKind::obstacle));
   EXPECT_NEAR(cues[0].distance_m, 0.9, 0.05);
   EXPECT_EQ(sector_of(cues[0].direction), Sector::ahead);
+  EXPECT_NEAR(guide.obstacle_ahead_m(), 0.9, 0.05);
+  (void)wearer.stand(5.0, 0, {1, 1.0}, 0.0);
+  EXPECT_LT(guide.obstacle_ahead_m(), 0.0) << "it answers no more";
 }
 
 TEST_F(GuideTest, LeadsRoundASteadyThingThatNoPlanKnows) {

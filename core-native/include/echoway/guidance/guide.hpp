@@ -56,6 +56,8 @@ class Guide {
   [[nodiscard]] std::optional<LevelTransition> take_level_transition();
 
   [[nodiscard]] bool has_destination() const;
+  /// Distance of the nearest thing in the way that no plan knows, metres from the chest; negative without one.
+  [[nodiscard]] double obstacle_ahead_m() const;
   /// The way from where the wearer was last; empty without a destination.
   [[nodiscard]] const Route& route() const;
   /// Breadcrumbs, oldest first.

@@ -4,6 +4,7 @@ import java.io.Closeable
 import java.io.File
 import java.nio.ByteBuffer
 import java.util.concurrent.atomic.AtomicLong
+import kotlin.math.abs
 
 /** The belt as it is configured. Defaults: the prototype with fifteen sensors, 0.15 m around the wearer's axis. */
 data class BeltSetup(val sensors: Int = 15, val radiusM: Double = 0.15)
@@ -30,7 +31,14 @@ enum class MotionKind {
 }
 
 /** What the phone's own sensors say about the wearer's motion. */
-data class MotionHint(val timeS: Double, val kind: MotionKind, val value: Double)
+data class MotionHint(val timeS: Double, val kind: MotionKind, val value: Double) {
+    /** A step, or a turn faster than any gyroscope at rest drifts. */
+    val isMovement get() = kind == MotionKind.STEP || kind == MotionKind.YAW_RATE && abs(value) > STILL_RAD_PER_S
+
+    private companion object {
+        const val STILL_RAD_PER_S = 0.15
+    }
+}
 
 /**
  * One wearer in one building: the core, behind its handle. Not thread-safe: one thread gives it everything and closes it.
@@ -123,6 +131,12 @@ class CoreSession private constructor(handle: Long) : Closeable {
         )
         return if (size == 0) null else CueLayout.read(cueBuffer)
     }
+
+    /** False once the wearer has arrived and stays. */
+    val hasDestination: Boolean get() = checked(NativeCore.hasDestination(open())) != 0
+
+    /** How far the nearest unmapped thing in the way is, metres from the chest; null when there is none. */
+    val obstacleAheadM: Double? get() = NativeCore.obstacleAhead(open()).takeIf { it >= 0.0 }
 
     // What a picture of the session needs. Each allocates what it returns: for a few times a second, not for every firing.
 

@@ -68,6 +68,10 @@ internal object NativeCore {
 
     @JvmStatic external fun repeat(handle: Long): Int
 
+    @JvmStatic external fun hasDestination(handle: Long): Int
+
+    @JvmStatic external fun obstacleAhead(handle: Long): Double
+
     @JvmStatic external fun route(handle: Long, out: ByteBuffer): Int
 
     @JvmStatic external fun breadcrumbs(handle: Long, out: ByteBuffer): Int

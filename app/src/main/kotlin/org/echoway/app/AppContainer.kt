@@ -15,6 +15,7 @@ import java.io.File
 import java.io.IOException
 import java.util.concurrent.Executors
 import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.MainScope
 import kotlinx.coroutines.asCoroutineDispatcher
 import kotlinx.coroutines.flow.map
 import kotlinx.coroutines.withContext
@@ -28,6 +29,7 @@ import org.echoway.app.building.BuildingLibrary
 import org.echoway.app.building.BundledBuildings
 import org.echoway.app.engine.Navigator
 import org.echoway.app.guide.Guide
+import org.echoway.app.guide.SpeechQueue
 import org.echoway.app.guide.Wording
 import org.echoway.app.motion.MotionSource
 import org.echoway.app.motion.PhoneMotion
@@ -50,6 +52,7 @@ interface AppContainer {
     val settings: SettingsStore
     val buildings: BuildingLibrary
     val navigator: Navigator
+    val speech: SpeechQueue
     val guide: Guide
     val voice: Voice
     val buzzer: Buzzer
@@ -77,7 +80,9 @@ open class PhoneContainer(private val context: Context) : AppContainer {
         Navigator(core.asCoroutineDispatcher(), clock)
     }
 
-    override val guide by lazy { Guide(Wording(context.resources), voice, buzzer, clock) }
+    override val speech by lazy { SpeechQueue(voice, clock, MainScope()) }
+
+    override val guide by lazy { Guide({ Wording.of(context, it) }, speech, buzzer, navigator) }
 
     override val voice: Voice by lazy {
         VoiceWithTones(TtsVoice(context, PhoneAudioFocus(context.getSystemService(AudioManager::class.java)))) { beep() }

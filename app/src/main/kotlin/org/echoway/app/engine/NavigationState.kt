@@ -16,6 +16,8 @@ sealed interface NavigationState {
      * @property line how the belt's line is, as its source says
      * @property belt what the core heard on it
      * @property leading what the wearer is led to ([Wish.LeadTo] or [Wish.BackTrack]); null without a destination
+     * @property obstacleM how far the nearest unmapped thing in the way is, metres; null when there is none
+     * @property movedS when the wearer last moved for sure, on the app's clock
      */
     data class Running(
         val building: InstalledBuilding,
@@ -24,6 +26,8 @@ sealed interface NavigationState {
         val belt: BeltHealth,
         val estimate: Estimate,
         val leading: Wish? = null,
+        val obstacleM: Double? = null,
+        val movedS: Double = timeS,
     ) : NavigationState
 }
 

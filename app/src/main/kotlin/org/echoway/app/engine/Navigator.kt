@@ -1,6 +1,7 @@
 package org.echoway.app.engine
 
 import java.io.IOException
+import kotlin.math.abs
 import kotlinx.coroutines.CoroutineDispatcher
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.channels.BufferOverflow
@@ -32,7 +33,7 @@ import org.echoway.core.Start
  * Hands the belt's bytes to the core and publishes what comes out. Everything that touches the core runs on [thread],
  * which must be a single one; the flow may be observed from anywhere.
  */
-class Navigator(private val thread: CoroutineDispatcher, private val clock: Clock) {
+class Navigator(private val thread: CoroutineDispatcher, private val clock: Clock) : Core {
     private val published = MutableStateFlow<NavigationState>(NavigationState.Idle)
 
     private val told = MutableSharedFlow<GuidanceEvent>(extraBufferCapacity = EVENTS_IN_FLIGHT, onBufferOverflow = BufferOverflow.DROP_OLDEST)
@@ -48,12 +49,14 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
     /** Way, breadcrumbs, possible places and explained echoes, four times a second while anybody looks. */
     val picture: StateFlow<Picture> = drawn.asStateFlow()
 
-    /** How cues are put into words from now on. */
-    @Volatile var style = SpeechStyle()
+    @Volatile private var style = SpeechStyle()
 
-    /** Safe from any thread; forgotten when navigation does not run. */
-    fun ask(wish: Wish) {
+    override fun ask(wish: Wish) {
         wishes.trySend(wish)
+    }
+
+    override fun speakIn(style: SpeechStyle) {
+        this.style = style
     }
 
     /** Navigates until it is cancelled; [witness] sees what happens. */
@@ -83,6 +86,7 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
         private var line = Line.WAITING
         private var health = session.beltHealth
         private var leading: Wish? = null
+        private var movedS = clock.nowS()
 
         suspend fun run(source: BeltSource, motion: MotionSource) = coroutineScope {
             publish()
@@ -102,6 +106,7 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
             while (isActive) {
                 session.onTick(clock.nowS())
                 refreshHealth()
+                if (!session.hasDestination) leading = null
                 publish()
                 if (drawn.subscriptionCount.value > 0) draw()
                 delay(TICK_MS)
@@ -141,6 +146,7 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
         private fun onMotion(hint: MotionHint) {
             session.onMotion(hint)
             witness?.onMotion(hint)
+            if (hint.isMovement) movedS = clock.nowS()
         }
 
         private fun onBytes(bytes: BeltEvent.Bytes) {
@@ -179,7 +185,10 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
         }
 
         private fun publish() {
-            published.value = NavigationState.Running(building, clock.nowS(), line, health, session.estimate, leading)
+            val estimate = session.estimate
+            if (abs(estimate.speedMps) > WALKING_MPS) movedS = clock.nowS()
+            published.value =
+                NavigationState.Running(building, clock.nowS(), line, health, estimate, leading, session.obstacleAheadM, movedS)
             while (true) told.tryEmit(GuidanceEvent.Told(session.nextCue(style) ?: return))
         }
     }
@@ -187,6 +196,9 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
     private companion object {
         /** Four times a second: a belt that fell silent is noticed well within the two seconds a wearer is promised. */
         const val TICK_MS = 250L
+
+        /** Estimates of somebody who stands move a little less. */
+        const val WALKING_MPS = 0.3
         const val EVENTS_IN_FLIGHT = 64
         const val WISHES_IN_FLIGHT = 8
     }

@@ -6,6 +6,7 @@ import org.echoway.core.ExplainedEcho
 import org.echoway.core.Hypothesis
 import org.echoway.core.Route
 import org.echoway.core.RoutePreferences
+import org.echoway.core.SpeechStyle
 import org.echoway.core.Spot
 
 /** What a wearer asks of guidance. The core answers with cues. */
@@ -21,6 +22,15 @@ sealed interface Wish {
     data object BackTrack : Wish
 
     data object StopLeading : Wish
+}
+
+/** What a guide has of the core. Safe from any thread. */
+interface Core {
+    /** Forgotten when navigation does not run. */
+    fun ask(wish: Wish)
+
+    /** How cues are put into words from now on. */
+    fun speakIn(style: SpeechStyle)
 }
 
 /** What guidance has to say, in order. */

@@ -1,13 +1,19 @@
 package org.echoway.app.guide
 
+import org.echoway.app.engine.GuidanceEvent
 import org.echoway.app.engine.NavigationState
-import org.echoway.core.Plan
+import org.echoway.app.engine.Wish
+import org.echoway.core.Cue
+import org.echoway.core.CueKind
+import org.echoway.core.DestinationKind
 import org.echoway.core.TrackState
 
-/** Decides what the wearer is told as navigation goes on. Silence means that all is well, so every loss of that is told. */
+/**
+ * Decides what the wearer is told as navigation goes on: of position and way what the core says, of belt and app what
+ * happens to them. Silence means that all is well, so every loss of that is told.
+ */
 class Announcer {
     private val belt = BeltAnnouncer()
-    private var position = PositionAnnouncer()
     private var previous: NavigationState = NavigationState.Idle
 
     /** What is new in a state, in the order in which it is to be said. */
@@ -15,34 +21,45 @@ class Announcer {
         val before = previous
         previous = state
         return when (state) {
-            NavigationState.Idle -> emptyList<Message>().also { reset() }
+            NavigationState.Idle -> emptyList<Message>().also { belt.reset() }
             is NavigationState.Failed -> if (before == state) emptyList() else listOf(Message.CannotStart(state.reason))
-            is NavigationState.Running -> belt.onState(state) + position.onState(state)
+            is NavigationState.Running -> belt.onState(state)
         }
     }
 
-    /** The answer to "Where am I?". */
-    fun whereAmI(): Message.WhereAmI = Message.WhereAmI(answer(previous))
-
-    private fun reset() {
-        belt.reset()
-        position = PositionAnnouncer()
+    fun onEvent(event: GuidanceEvent): List<Message> = when (event) {
+        is GuidanceEvent.Told -> if (event.cue.kind in OF_THE_BELT) emptyList() else listOfNotNull(Message.Told(event.cue), detail(event.cue))
+        is GuidanceEvent.Refused -> listOfNotNull(refusal(event.wish))
     }
 
-    private fun answer(state: NavigationState): Answer {
-        if (state !is NavigationState.Running) return Answer.NotRunning
-        val rooms = state.building.plan.rooms
-        val estimate = state.estimate
-        val room = rooms.getOrNull(estimate.room)
-        return when {
-            !state.hearsBelt -> Answer.NoBelt(room.takeIf { estimate.state == TrackState.TRACKING })
-            room == null || estimate.room == Plan.NO_ROOM -> Answer.Unsure(null)
-            estimate.state == TrackState.TRACKING -> Surroundings(state.building.plan, estimate).answer()
-            else -> Answer.Unsure(room.takeIf { estimate.state == TrackState.SEARCHING && estimate.roomProbability > LIKELY })
-        }
+    /** Whether the core can answer; otherwise what is said instead. */
+    fun withoutAnswer(): NoAnswer? = when (val state = previous) {
+        is NavigationState.Running -> if (state.hearsBelt) null else NoAnswer.NoBelt(lastRoom(state))
+        else -> NoAnswer.NotRunning
+    }
+
+    private fun lastRoom(state: NavigationState.Running) =
+        state.building.plan.rooms.getOrNull(state.estimate.room).takeIf { state.estimate.state == TrackState.TRACKING }
+
+    private fun detail(cue: Cue): Message? {
+        val plan = (previous as? NavigationState.Running)?.building?.plan
+        if (cue.kind != CueKind.ENTERING || plan == null) return null
+        val places = plan.places.filter { it.spot.room == cue.room && it.name.isNotEmpty() }.map { it.name }
+        val doors = plan.doors.count { it.seenFrom(cue.room) != null }
+        return Message.RoomDetail(doors, places).takeIf { doors > 0 || places.isNotEmpty() }
+    }
+
+    private fun refusal(wish: Wish): Message? = when (wish) {
+        is Wish.LeadTo -> Message.CannotLead(
+            if (wish.destination.kind == DestinationKind.NEAREST_EXIT) NoWay.NO_EXIT_KNOWN else NoWay.NOT_REACHABLE,
+        )
+        Wish.BackTrack -> Message.CannotLead(NoWay.NOTHING_WALKED_YET)
+        Wish.Repeat -> Message.NothingToRepeat
+        Wish.WhereAmI, Wish.StopLeading -> null
     }
 
     private companion object {
-        const val LIKELY = 0.5
+        /** The app watches the line itself: it knows of permissions and of recordings, and who is clear again. */
+        val OF_THE_BELT = setOf(CueKind.BELT_LOST, CueKind.BELT_BACK, CueKind.BATTERY_LOW, CueKind.SENSOR_BLOCKED)
     }
 }

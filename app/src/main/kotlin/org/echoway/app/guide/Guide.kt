@@ -1,51 +1,143 @@
 package org.echoway.app.guide
 
 import kotlinx.coroutines.coroutineScope
+import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.Flow
 import kotlinx.coroutines.flow.MutableStateFlow
 import kotlinx.coroutines.flow.StateFlow
 import kotlinx.coroutines.flow.asStateFlow
+import kotlinx.coroutines.flow.collectLatest
+import kotlinx.coroutines.flow.combine
+import kotlinx.coroutines.flow.distinctUntilChanged
+import kotlinx.coroutines.flow.map
 import kotlinx.coroutines.launch
-import org.echoway.app.Clock
+import org.echoway.app.engine.Core
+import org.echoway.app.engine.GuidanceEvent
 import org.echoway.app.engine.NavigationState
+import org.echoway.app.engine.Wish
+import org.echoway.app.settings.Settings
 import org.echoway.app.touch.Buzzer
 import org.echoway.app.touch.Touch
-import org.echoway.app.voice.Voice
+import org.echoway.app.touch.tickGapMs
+import org.echoway.core.Destination
+import org.echoway.core.Language
+import org.echoway.core.RoutePreferences
+import org.echoway.core.SpeechStyle
 
-/** Tells the wearer, by voice and by touch, what navigation finds out. Used from one thread. */
-class Guide(private val wording: Wording, voice: Voice, private val buzzer: Buzzer, clock: Clock) {
+/**
+ * Tells the wearer, by voice and by touch, what navigation finds out, and answers what they ask. Used from one thread.
+ *
+ * @param wordings the words of each language
+ */
+class Guide(
+    private val wordings: (Language) -> Wording,
+    private val speech: SpeechQueue,
+    private val buzzer: Buzzer,
+    private val core: Core,
+) : Asking {
     private val announcer = Announcer()
-    private val queue = SpeechQueue(voice, clock)
     private val told = MutableStateFlow("")
+    private val silenced = MutableStateFlow(false)
+    private var manner = Manner()
+    private var preferences = RoutePreferences()
+    private var wording = wordings(speech.language.value)
+    private var running = false
 
     /** The newest line in words, for the screen and for phones that cannot speak. */
     val lastLine: StateFlow<String> = told.asStateFlow()
 
+    val muted: StateFlow<Boolean> = silenced.asStateFlow()
+
     /** Observes navigation until it is cancelled. */
-    suspend fun run(states: Flow<NavigationState>) = coroutineScope {
-        launch { queue.run() }
+    suspend fun run(states: Flow<NavigationState>, events: Flow<GuidanceEvent>, settings: Flow<Settings>) = coroutineScope {
+        silenced.value = false
         if (!buzzer.present) tell(Message.NoVibration)
-        states.collect { state -> announcer.onState(state).forEach(::tell) }
+        launch { combine(settings, speech.language, ::Pair).collect { (wanted, language) -> follow(wanted, language) } }
+        launch { events.collect { event -> announcer.onEvent(event).forEach(::tell) } }
+        launch { states.map(::obstacle).distinctUntilChanged().collectLatest { it?.let { tick(it) } } }
+        states.collect { state ->
+            running = state is NavigationState.Running
+            announcer.onState(state).forEach(::tell)
+        }
     }
 
-    fun whereAmI() = tell(announcer.whereAmI())
+    override fun ask(ask: Ask) {
+        when (ask) {
+            Ask.WHERE_AM_I -> announcer.withoutAnswer()?.let { tell(Message.Unanswerable(it)) } ?: core.ask(Wish.WhereAmI)
+            Ask.REPEAT -> repeat()
+            Ask.MUTE -> mute(!silenced.value)
+            Ask.WAY_OUT -> lead(Wish.LeadTo(Destination.WAY_OUT, preferences))
+            Ask.WAY_BACK -> if (lead(Wish.BackTrack)) tell(Message.LeadingBack)
+            Ask.STOP_LEADING -> if (lead(Wish.StopLeading)) tell(Message.LeadingStopped)
+        }
+    }
+
+    /** Leads to a destination from now on. */
+    fun leadTo(destination: Destination) {
+        lead(Wish.LeadTo(destination, preferences))
+    }
+
+    /** Says a line of a screen that explains itself; the newest takes the place of the one before. */
+    fun explain(words: String) {
+        speech.hush(Message.Explanation(words).topic)
+        tell(Message.Explanation(words))
+    }
+
+    /** Lets one feel a pattern and says what it is called. */
+    fun practise(touch: Touch, words: String) {
+        buzzer.play(touch)
+        explain(words)
+    }
+
+    private fun lead(wish: Wish): Boolean {
+        if (running) core.ask(wish) else tell(Message.CannotLead(NoWay.NOT_RUNNING))
+        return running
+    }
+
+    /** What was just said, as it was; an instruction only while it still holds, and that the core knows. */
+    private fun repeat() {
+        val last = speech.lastSpoken?.takeIf { it.message !is Message.Told || it.message.rank > Rank.TURN }
+        when {
+            last != null -> tell(Message.Again(last.words))
+            running && announcer.withoutAnswer() == null -> core.ask(Wish.Repeat)
+            else -> tell(Message.NothingToRepeat)
+        }
+    }
+
+    private fun mute(on: Boolean) {
+        silenced.value = on
+        manner = manner.copy(muted = on)
+        tell(Message.Muted(on))
+    }
+
+    private fun follow(settings: Settings, language: Language) {
+        wording = wordings(language)
+        manner = Manner(settings.service, settings.verbosity, silenced.value)
+        preferences = RoutePreferences(settings.avoidStairs)
+        core.speakIn(SpeechStyle(language, settings.directions, settings.lengths))
+    }
 
     private fun tell(message: Message) {
         message.touch?.let(buzzer::play)
+        if (!manner.speaks(message)) return
         val words = wording.words(message)
         told.value = words
-        queue.say(words, message)
+        speech.say(words, message)
+    }
+
+    /** Ticks that quicken as the thing in the way comes nearer. */
+    private suspend fun tick(distanceM: Double) {
+        while (true) {
+            buzzer.play(Touch.SOMETHING_AHEAD)
+            delay(tickGapMs(distanceM))
+        }
+    }
+
+    private fun obstacle(state: NavigationState): Double? =
+        (state as? NavigationState.Running)?.takeIf { it.hearsBelt }?.obstacleM?.let { (it / TICK_GRAIN_M).toInt() * TICK_GRAIN_M }
+
+    private companion object {
+        /** Ticks change their pace in steps of this; an estimate's trembling is not felt. */
+        const val TICK_GRAIN_M = 0.1
     }
 }
-
-/** What is felt along with the words. */
-internal val Message.touch: Touch?
-    get() = when (this) {
-        is Message.RoomEntered -> Touch.ROOM_ENTERED
-        is Message.DoorNear -> Touch.AHEAD.takeIf { seen.direction == Direction.AHEAD }
-        Message.Unsure -> Touch.UNSURE
-        is Message.FoundAgain -> Touch.ROOM_ENTERED
-        Message.BeltLost -> Touch.BELT_LOST
-        Message.BeltBack -> Touch.BELT_BACK
-        else -> null
-    }

@@ -1,8 +1,11 @@
 package org.echoway.app.guide
 
+import org.echoway.core.Cue
+import org.echoway.core.CueKind
 import org.echoway.core.Room
+import org.echoway.core.Urgency
 
-/** How much a line matters; earlier ranks are spoken first. */
+/** How much a line matters; earlier ranks are spoken first. In the order of the core's [Urgency]. */
 enum class Rank {
     DANGER,
     LOST_OR_BROKEN,
@@ -12,12 +15,13 @@ enum class Rank {
     COLOUR,
     ;
 
-    /** Whether a line of this rank may cut off one of [other]. */
-    fun cutsOff(other: Rank) = this < other && this <= LOST_OR_BROKEN
-}
+    /** Whether a line of this rank may cut off one of [other]: what is only nice to know waits for the end of a line. */
+    fun cutsOff(other: Rank) = this < other && this <= TURN
 
-/** Something with a direction and a distance, metres; [sigmaM] is how well the distance is known. */
-data class Seen(val direction: Direction, val distanceM: Double, val sigmaM: Double)
+    companion object {
+        fun of(urgency: Urgency) = entries[urgency.ordinal]
+    }
+}
 
 /**
  * Something that the wearer is told.
@@ -26,17 +30,8 @@ data class Seen(val direction: Direction, val distanceM: Double, val sigmaM: Dou
  * @property validS how long it may wait before it is stale
  */
 sealed class Message(val rank: Rank, val topic: String, val validS: Double) {
-    data class RoomEntered(val room: Room) : Message(Rank.PLACE, "room", ROUTINE_S)
-
-    data class DoorNear(val seen: Seen) : Message(Rank.PLACE, "door", BRIEF_S)
-
-    data class PlaceNear(val name: String, val seen: Seen) : Message(Rank.PLACE, "place", BRIEF_S)
-
-    data object Unsure : Message(Rank.LOST_OR_BROKEN, "position", LASTING_S)
-
-    data class FoundAgain(val room: Room, val door: Direction?) : Message(Rank.LOST_OR_BROKEN, "position", ROUTINE_S)
-
-    data object Searching : Message(Rank.PLACE, "position", ROUTINE_S)
+    /** What the core says of position and way; it brings its own words. */
+    data class Told(val cue: Cue) : Message(Rank.of(cue.urgency), cue.topic, cue.validS)
 
     data object BeltLost : Message(Rank.LOST_OR_BROKEN, "belt", LASTING_S)
 
@@ -56,40 +51,68 @@ sealed class Message(val rank: Rank, val topic: String, val validS: Double) {
 
     data class CannotStart(val reason: String) : Message(Rank.LOST_OR_BROKEN, "start", LASTING_S)
 
-    data object NoVibration : Message(Rank.COLOUR, "vibration", LASTING_S)
+    data object NoVibration : Message(Rank.LOST_OR_BROKEN, "vibration", LASTING_S)
 
-    /** The answer to "Where am I?". */
-    data class WhereAmI(val answer: Answer) : Message(Rank.ASKED, "answer", ROUTINE_S)
+    /** What is nice to know of a room that was entered. */
+    data class RoomDetail(val doors: Int, val places: List<String>) : Message(Rank.COLOUR, "room detail", ROUTINE_S)
 
-    private companion object {
-        const val BRIEF_S = 3.0
+    /** The answer to "Where am I?" when the core cannot give it. */
+    data class Unanswerable(val why: NoAnswer) : Message(Rank.ASKED, "answer", ROUTINE_S)
+
+    /** What was said last, again. */
+    data class Again(val words: String) : Message(Rank.ASKED, "again", ROUTINE_S)
+
+    data object NothingToRepeat : Message(Rank.ASKED, "again", ROUTINE_S)
+
+    data class Muted(val on: Boolean) : Message(Rank.ASKED, "mute", ROUTINE_S)
+
+    data class CannotLead(val why: NoWay) : Message(Rank.ASKED, "leading", ROUTINE_S)
+
+    data object LeadingBack : Message(Rank.ASKED, "leading", ROUTINE_S)
+
+    data object LeadingStopped : Message(Rank.ASKED, "leading", ROUTINE_S)
+
+    /** A line of the practice screen or of the first run. */
+    data class Explanation(val words: String) : Message(Rank.ASKED, "explanation", LASTING_S)
+
+    companion object {
         const val ROUTINE_S = 6.0
 
         /** True until another message of the topic says otherwise. */
         const val LASTING_S = 120.0
+
+        /** Answers of several lines: the voice may be slower than the core thinks. */
+        const val ANSWER_S = 12.0
     }
 }
 
-/** What is known when the wearer asks. */
-sealed interface Answer {
-    /** @property facing null when nothing was found straight ahead */
-    data class Here(val room: Room, val facing: Facing?, val door: Seen?, val place: NamedSeen?) : Answer
+/** Why "Where am I?" has no answer. */
+sealed interface NoAnswer {
+    data class NoBelt(val lastRoom: Room?) : NoAnswer
 
-    /** @property likely the most probable room, when one stands out */
-    data class Unsure(val likely: Room?) : Answer
-
-    data class NoBelt(val lastRoom: Room?) : Answer
-
-    data object NotRunning : Answer
+    data object NotRunning : NoAnswer
 }
 
-data class NamedSeen(val name: String, val seen: Seen)
+/** Why nobody is led. */
+enum class NoWay { NO_EXIT_KNOWN, NOTHING_WALKED_YET, NOT_REACHABLE, NOT_RUNNING }
 
-/** What is straight ahead. */
-sealed interface Facing {
-    data object Door : Facing
+/** Lines that take each other's place while they wait. */
+private val Cue.topic: String
+    get() = when (kind) {
+        CueKind.STOP, CueKind.OBSTACLE -> "danger"
+        CueKind.UNCERTAIN, CueKind.PROBE_TURN, CueKind.PROBE_STEP, CueKind.FOUND -> "position"
+        CueKind.WRONG_WAY, CueKind.REROUTED, CueKind.NO_WAY, CueKind.TURN, CueKind.BEAR, CueKind.GO_STRAIGHT, CueKind.ARRIVED,
+        CueKind.TAKE_LINK,
+        -> "way"
+        CueKind.ROOM_HERE, CueKind.FACING, CueKind.DESTINATION -> "answer $kind"
+        else -> if (urgency == Urgency.ASKED) "answer $kind" else kind.name
+    }
 
-    data class Place(val name: String) : Facing
-
-    data class Wall(val distanceM: Double, val sigmaM: Double) : Facing
-}
+/** A loss holds until it is taken back; an answer is waited for; a room is not left at once; the rest is true only here. */
+private val Cue.validS: Double
+    get() = when {
+        urgency == Urgency.BROKEN -> Message.LASTING_S
+        urgency == Urgency.ASKED -> Message.ANSWER_S
+        kind == CueKind.ENTERING -> Message.ROUTINE_S
+        else -> timeToLiveS
+    }

@@ -1,10 +1,15 @@
 package org.echoway.app.guide
 
+import android.content.Context
+import android.content.res.Configuration
 import android.content.res.Resources
 import android.icu.text.RuleBasedNumberFormat
 import java.util.Locale
-import kotlin.math.roundToInt
 import org.echoway.app.R
+import org.echoway.core.Destination
+import org.echoway.core.DestinationKind
+import org.echoway.core.Language
+import org.echoway.core.Plan
 import org.echoway.core.Room
 
 /** Turns messages into the words that are spoken, in the language of [resources]. */
@@ -13,12 +18,7 @@ class Wording(private val resources: Resources) {
     private val spelling by lazy { RuleBasedNumberFormat(locale, RuleBasedNumberFormat.SPELLOUT) }
 
     fun words(message: Message): String = when (message) {
-        is Message.RoomEntered -> room(message.room)
-        is Message.DoorNear -> text(R.string.say_door_near, direction(message.seen.direction), distance(message.seen))
-        is Message.PlaceNear -> text(R.string.say_place_near, message.name, direction(message.seen.direction), distance(message.seen))
-        Message.Unsure -> text(R.string.say_unsure)
-        is Message.FoundAgain -> foundAgain(message)
-        Message.Searching -> text(R.string.say_searching)
+        is Message.Told -> message.cue.words
         Message.BeltLost -> text(R.string.say_belt_lost)
         Message.BeltBack -> text(R.string.say_belt_back)
         Message.BeltNotAllowed -> text(R.string.say_belt_not_allowed)
@@ -29,68 +29,69 @@ class Wording(private val resources: Resources) {
         Message.BatteryLow -> text(R.string.say_battery_low)
         is Message.CannotStart -> text(R.string.say_cannot_start, message.reason)
         Message.NoVibration -> text(R.string.say_no_vibration)
-        is Message.WhereAmI -> answer(message.answer)
+        is Message.RoomDetail -> detail(message)
+        is Message.Unanswerable -> noAnswer(message.why)
+        is Message.Again -> message.words
+        Message.NothingToRepeat -> text(R.string.say_nothing_to_repeat)
+        is Message.Muted -> text(if (message.on) R.string.say_muted else R.string.say_unmuted)
+        is Message.CannotLead -> text(message.why.words)
+        Message.LeadingBack -> text(R.string.say_leading_back)
+        Message.LeadingStopped -> text(R.string.say_leading_stopped)
+        is Message.Explanation -> message.words
     }
 
     /** "Room 2, corridor." */
-    fun room(room: Room): String {
+    fun room(room: Room): String = "${name(room)}."
+
+    /** "Room 2, corridor" */
+    fun name(room: Room): String {
         val number = text(R.string.room_number, room.id)
-        return if (room.name.isEmpty()) "$number." else text(R.string.say_room, number, room.name)
+        return if (room.name.isEmpty()) number else text(R.string.room_named, number, room.name)
     }
 
-    private fun foundAgain(message: Message.FoundAgain): String {
-        val again = text(R.string.say_found_again, text(R.string.room_number, message.room.id))
-        return listOfNotNull(again, message.door?.let { text(R.string.say_door, direction(it)) }).joinToString(" ")
+    /** What a destination is called. */
+    fun name(plan: Plan, destination: Destination): String = when (destination.kind) {
+        DestinationKind.PLACE -> plan.places[destination.index].name
+        DestinationKind.EXIT -> plan.exits[destination.index].name.ifEmpty { text(R.string.exit_unnamed) }
+        DestinationKind.ROOM -> name(plan.rooms[destination.index])
+        DestinationKind.NEAREST_EXIT, DestinationKind.SPOT -> text(R.string.way_out)
     }
 
-    private fun answer(answer: Answer): String = when (answer) {
-        is Answer.Here -> listOfNotNull(
-            room(answer.room),
-            answer.facing?.let(::facing),
-            answer.door?.takeIf { answer.facing != Facing.Door || it.direction != Direction.AHEAD }
-                ?.let { text(R.string.say_door_near, direction(it.direction), distance(it)) },
-            answer.place?.takeIf { (answer.facing as? Facing.Place)?.name != it.name }
-                ?.let { text(R.string.say_place_near, it.name, direction(it.seen.direction), distance(it.seen)) },
-        ).joinToString(" ")
-        is Answer.Unsure -> listOfNotNull(
-            text(R.string.say_unsure),
-            answer.likely?.let { text(R.string.say_probably, text(R.string.room_number, it.id)) },
-        ).joinToString(" ")
-        is Answer.NoBelt -> listOfNotNull(
+    private fun detail(message: Message.RoomDetail): String = listOfNotNull(
+        message.doors.takeIf { it > 0 }?.let { plural(R.plurals.say_doors, it) },
+        message.places.takeIf { it.isNotEmpty() }?.joinToString(", ", postfix = "."),
+    ).joinToString(" ")
+
+    private fun noAnswer(why: NoAnswer): String = when (why) {
+        is NoAnswer.NoBelt -> listOfNotNull(
             text(R.string.say_belt_lost),
-            answer.lastRoom?.let { text(R.string.say_last_in, text(R.string.room_number, it.id)) },
+            why.lastRoom?.let { text(R.string.say_last_in, text(R.string.room_number, it.id)) },
         ).joinToString(" ")
-        Answer.NotRunning -> text(R.string.say_not_running)
+        NoAnswer.NotRunning -> text(R.string.say_not_running)
     }
 
-    private fun facing(facing: Facing) = when (facing) {
-        Facing.Door -> text(R.string.say_facing_door)
-        is Facing.Place -> text(R.string.say_facing_place, facing.name)
-        is Facing.Wall -> text(R.string.say_facing_wall, distance(facing.distanceM, facing.sigmaM))
-    }
-
-    private fun direction(direction: Direction) = resources.getStringArray(R.array.directions)[direction.ordinal]
+    private val NoWay.words
+        get() = when (this) {
+            NoWay.NO_EXIT_KNOWN -> R.string.say_no_exit
+            NoWay.NOTHING_WALKED_YET -> R.string.say_nothing_walked
+            NoWay.NOT_REACHABLE -> R.string.say_not_reachable
+            NoWay.NOT_RUNNING -> R.string.say_not_running
+        }
 
     private fun side(side: Side) = resources.getStringArray(R.array.sides)[side.ordinal]
 
-    private fun distance(seen: Seen) = distance(seen.distanceM, seen.sigmaM)
-
-    /** Never more precise than the estimate: 1 ft below 10 ft, 5 ft above, and vague when the position is. */
-    private fun distance(metres: Double, sigmaM: Double): String {
-        if (sigmaM > VAGUE_SIGMA_M) return text(R.string.distance_vague)
-        val feet = metres / METRES_PER_FOOT
-        val rounded = if (feet < FINE_BELOW_FT) feet.roundToInt() else (feet / COARSE_FT).roundToInt() * COARSE_FT.toInt()
-        return resources.getQuantityString(R.plurals.distance_feet, rounded, spelling.format(rounded.toLong()))
-    }
-
     private fun text(id: Int, vararg arguments: Any) = resources.getString(id, *arguments)
 
-    private fun plural(id: Int, count: Int) = resources.getQuantityString(id, count, spelling.format(count.toLong()).replaceFirstChar { it.titlecase(locale) })
+    private fun plural(id: Int, count: Int) = resources.getQuantityString(id, count, spelled(count))
 
-    private companion object {
-        const val METRES_PER_FOOT = 0.3048
-        const val FINE_BELOW_FT = 9.5
-        const val COARSE_FT = 5.0
-        const val VAGUE_SIGMA_M = 0.9
+    /** Numbers as words, for an engine reads digits in its own way; the line begins with it. */
+    private fun spelled(count: Int) = spelling.format(count.toLong()).replaceFirstChar { it.titlecase(locale) }
+
+    companion object {
+        /** The words of a language, whatever the phone's is. */
+        fun of(context: Context, language: Language): Wording {
+            val configuration = Configuration(context.resources.configuration).apply { setLocale(Locale.forLanguageTag(language.tag)) }
+            return Wording(context.createConfigurationContext(configuration).resources)
+        }
     }
 }

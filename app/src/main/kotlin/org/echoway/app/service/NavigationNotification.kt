@@ -10,6 +10,7 @@ import androidx.core.app.NotificationCompat
 import org.echoway.app.MainActivity
 import org.echoway.app.R
 import org.echoway.app.engine.NavigationState
+import org.echoway.app.guide.Ask
 import org.echoway.app.ui.StateWords
 
 /** The ongoing notification: the state in words, "Where am I?" and "Stop". */
@@ -35,7 +36,9 @@ internal class NavigationNotification(private val service: Service) {
         .setOnlyAlertOnce(true)
         .setForegroundServiceBehavior(NotificationCompat.FOREGROUND_SERVICE_IMMEDIATE)
         .setContentIntent(activity())
-        .addAction(0, service.getString(R.string.where_am_i), command(NavigationService.ACTION_WHERE_AM_I))
+        // Android shows three without unfolding.
+        .addAction(0, service.getString(R.string.where_am_i), command(NavigationService.actionOf(Ask.WHERE_AM_I)))
+        .addAction(0, service.getString(R.string.way_out), command(NavigationService.actionOf(Ask.WAY_OUT)))
         .addAction(0, service.getString(R.string.stop), command(NavigationService.ACTION_STOP))
         .build()
 

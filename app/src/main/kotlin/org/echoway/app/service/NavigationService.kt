@@ -20,6 +20,7 @@ import org.echoway.app.R
 import org.echoway.app.building.startAt
 import org.echoway.app.container
 import org.echoway.app.engine.NavigationState
+import org.echoway.app.guide.Ask
 import org.echoway.app.guide.hearsBelt
 import org.echoway.app.recording.RecordingSwitch
 import org.echoway.app.settings.Settings
@@ -45,7 +46,7 @@ class NavigationService : LifecycleService() {
         super.onStartCommand(intent, flags, startId)
         when (intent?.action) {
             ACTION_STOP -> stopNavigation()
-            ACTION_WHERE_AM_I -> container.guide.whereAmI()
+            in ASKS -> container.guide.ask(ASKS.getValue(intent?.action.orEmpty()))
             // Without an intent the system brings the service back after it had killed the app.
             else -> lifecycleScope.launch { startNavigation(restored = intent == null) }
         }
@@ -69,7 +70,7 @@ class NavigationService : LifecycleService() {
 
     private suspend fun navigate(settings: Settings) = coroutineScope {
         val states = container.navigator.state
-        launch { container.guide.run(states) }
+        launch { container.guide.run(states, container.navigator.events, container.settings.settings) }
         launch { states.map(notification::text).distinctUntilChanged().collect(notification::show) }
         launch { states.collect { wakeLock.update(it is NavigationState.Running && it.hearsBelt) } }
         val building = settings.building?.let { container.buildings.find(it) }
@@ -119,7 +120,11 @@ class NavigationService : LifecycleService() {
     companion object {
         const val ACTION_START = "org.echoway.app.START"
         const val ACTION_STOP = "org.echoway.app.STOP"
-        const val ACTION_WHERE_AM_I = "org.echoway.app.WHERE_AM_I"
+
+        /** What the notification's buttons ask. */
+        private val ASKS = Ask.entries.associateBy { actionOf(it) }
+
+        fun actionOf(ask: Ask) = "org.echoway.app.$ask"
 
         fun intent(context: Context, action: String): Intent = Intent(context, NavigationService::class.java).setAction(action)
 

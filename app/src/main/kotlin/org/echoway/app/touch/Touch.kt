@@ -7,6 +7,9 @@ enum class Touch {
     AHEAD,
     TURN_AROUND,
     ARRIVED,
+
+    /** One tick of several, which quicken as the thing comes nearer: see [tickGapMs]. */
+    SOMETHING_AHEAD,
     ROOM_ENTERED,
     UNSURE,
     BELT_LOST,
@@ -20,34 +23,38 @@ interface Buzzer {
     fun play(touch: Touch)
 }
 
-/**
- * Pauses and pulses in milliseconds, beginning with a pause; a strength (1 ... 255) for each, 0 for pauses. Gaps are 50 ms
- * or more and strengths at least a ratio of 1.4 apart, so that they can be told apart through a jacket.
- */
-data class TouchPattern(val timingsMs: List<Long>, val strengths: List<Int>)
+/** Lengths that can be told apart through a jacket. */
+enum class Length(val ms: Long) { TICK(40), SHORT(90), LONG(350), VERY_LONG(1200) }
 
-val Touch.pattern: TouchPattern
+/** Strengths, 1 ... 255, at least a ratio of 1.4 apart. */
+enum class Strength(val amplitude: Int) { SOFT(110), MEDIUM(170), STRONG(255) }
+
+data class Pulse(val length: Length, val strength: Strength)
+
+/** Between two pulses, milliseconds: more than the 50 that it takes to feel two. */
+const val GAP_MS = 120L
+
+val Touch.pulses: List<Pulse>
     get() = when (this) {
-        Touch.LEFT -> pulses(LONG_MS to STRONG, SHORT_MS to STRONG)
-        Touch.RIGHT -> pulses(SHORT_MS to STRONG, LONG_MS to STRONG)
-        Touch.AHEAD -> pulses(SHORT_MS to STRONG)
-        Touch.TURN_AROUND -> pulses(LONG_MS to STRONG, LONG_MS to STRONG)
-        Touch.ARRIVED -> pulses(SHORT_MS to SOFT, SHORT_MS to MEDIUM, SHORT_MS to STRONG)
-        Touch.ROOM_ENTERED -> pulses(SHORT_MS to MEDIUM, SHORT_MS to MEDIUM)
-        Touch.UNSURE -> pulses(VERY_LONG_MS to SOFT)
-        Touch.BELT_LOST -> pulses(LONG_MS to STRONG, LONG_MS to STRONG, LONG_MS to STRONG)
-        Touch.BELT_BACK -> pulses(SHORT_MS to STRONG, SHORT_MS to STRONG, SHORT_MS to STRONG)
+        Touch.LEFT -> listOf(LONG, SHORT)
+        Touch.RIGHT -> listOf(SHORT, LONG)
+        Touch.AHEAD -> listOf(SHORT)
+        Touch.TURN_AROUND -> listOf(LONG, LONG)
+        Touch.ARRIVED -> Strength.entries.map { Pulse(Length.SHORT, it) }
+        Touch.SOMETHING_AHEAD -> listOf(Pulse(Length.TICK, Strength.STRONG))
+        Touch.ROOM_ENTERED -> listOf(Pulse(Length.SHORT, Strength.MEDIUM), Pulse(Length.SHORT, Strength.MEDIUM))
+        Touch.UNSURE -> listOf(Pulse(Length.VERY_LONG, Strength.SOFT))
+        Touch.BELT_LOST -> listOf(LONG, LONG, LONG)
+        Touch.BELT_BACK -> listOf(SHORT, SHORT, SHORT)
     }
 
-private fun pulses(vararg pulses: Pair<Long, Int>) = TouchPattern(
-    timingsMs = pulses.flatMapIndexed { index, (length, _) -> listOf(if (index == 0) 0L else GAP_MS, length) },
-    strengths = pulses.flatMap { (_, strength) -> listOf(0, strength) },
-)
+/** From one tick to the next, milliseconds: twelve a second at arm's length, two a second at two and a half metres. */
+fun tickGapMs(distanceM: Double): Long = (distanceM * TICK_MS_PER_M).toLong().coerceIn(FASTEST_TICK_MS, SLOWEST_TICK_MS)
 
-private const val SHORT_MS = 90L
-private const val LONG_MS = 350L
-private const val VERY_LONG_MS = 1200L
-private const val GAP_MS = 120L
-private const val STRONG = 255
-private const val MEDIUM = 170
-private const val SOFT = 110
+private val LONG = Pulse(Length.LONG, Strength.STRONG)
+private val SHORT = Pulse(Length.SHORT, Strength.STRONG)
+private const val TICK_MS_PER_M = 200.0
+
+/** A tick and the 50 ms that let one feel the next. */
+private const val FASTEST_TICK_MS = 90L
+private const val SLOWEST_TICK_MS = 600L

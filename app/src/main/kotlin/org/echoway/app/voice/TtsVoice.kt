@@ -14,15 +14,18 @@ import kotlinx.coroutines.flow.StateFlow
 import kotlinx.coroutines.flow.asStateFlow
 import kotlinx.coroutines.flow.first
 import kotlinx.coroutines.suspendCancellableCoroutine
+import org.echoway.core.Language
 
 /**
  * The phone's text-to-speech engine, as navigation guidance that other sounds make way for. Speaks the phone's language, or
- * English where the engine does not know it. Without an engine it says nothing and [status] tells.
- *
+ * English where there are no words in it or the engine does not know it. Rate, pitch and voice are the system's own. Without
+ * an engine it says nothing and [status] tells.
  */
 class TtsVoice(context: Context, private val focus: AudioFocus, private val locale: () -> Locale = Locale::getDefault) : Voice {
     private val state = MutableStateFlow(VoiceStatus.STARTING)
     override val status: StateFlow<VoiceStatus> = state.asStateFlow()
+    private val spoken = MutableStateFlow(Language.of(locale().language))
+    override val language: StateFlow<Language> = spoken.asStateFlow()
 
     private val ids = AtomicLong()
 
@@ -57,9 +60,10 @@ class TtsVoice(context: Context, private val focus: AudioFocus, private val loca
         }
         tts.setAudioAttributes(NAVIGATION)
         tts.setOnUtteranceProgressListener(progress)
+        val hasWords = Language.of(locale().language).tag == locale().language
         state.value = when {
-            speaks(locale()) -> VoiceStatus.READY
-            speaks(Locale.ENGLISH) -> VoiceStatus.OTHER_LANGUAGE
+            hasWords && speaks(locale()) -> VoiceStatus.READY
+            speaks(Locale.ENGLISH) -> VoiceStatus.OTHER_LANGUAGE.also { spoken.value = Language.ENGLISH }
             else -> VoiceStatus.NO_ENGINE
         }
     }

@@ -1,6 +1,7 @@
 package org.echoway.app.voice
 
 import kotlinx.coroutines.flow.StateFlow
+import org.echoway.core.Language
 
 /** What became of a line. */
 enum class Outcome {
@@ -17,7 +18,7 @@ enum class VoiceStatus {
     STARTING,
     READY,
 
-    /** Speaks, but not the phone's language. */
+    /** Speaks English, because the engine does not know the phone's language or there are no words in it. */
     OTHER_LANGUAGE,
 
     /** No speech engine; lines are tones and touch. */
@@ -27,6 +28,9 @@ enum class VoiceStatus {
 /** Something that speaks. */
 interface Voice {
     val status: StateFlow<VoiceStatus>
+
+    /** What it is to be given words in: the phone's language where there are words and an engine for it, else English. */
+    val language: StateFlow<Language>
 
     /** Returns when the line has been spoken or given up; cancelling it silences it at once. */
     suspend fun speak(text: String): Outcome

@@ -7,12 +7,14 @@ import org.echoway.app.Clock
 import org.echoway.app.voice.Outcome
 import org.echoway.app.voice.Voice
 import org.echoway.app.voice.VoiceStatus
+import org.echoway.core.Language
 
 /** Speaks at a usual pace and remembers what was heard, and when. */
 class RecordingVoice(private val clock: Clock) : Voice {
     data class Heard(val text: String, val timeS: Double, val whole: Boolean)
 
     override val status = MutableStateFlow(VoiceStatus.READY)
+    override val language = MutableStateFlow(Language.ENGLISH)
     val heard = mutableListOf<Heard>()
     val words get() = heard.map { it.text }
 

@@ -1,14 +1,19 @@
 package org.echoway.app.guide
 
+import org.echoway.app.engine.GuidanceEvent
 import org.echoway.app.engine.Line
 import org.echoway.app.engine.NavigationState
+import org.echoway.app.engine.Wish
+import org.echoway.app.testing.SampleCues
 import org.echoway.app.testing.SamplePlan
 import org.echoway.core.BeltHealth
 import org.echoway.core.BeltLink
+import org.echoway.core.CueKind
+import org.echoway.core.Destination
+import org.echoway.core.DestinationKind
 import org.echoway.core.Estimate
 import org.echoway.core.TrackState
 import org.junit.Assert.assertEquals
-import org.junit.Assert.assertTrue
 import org.junit.Test
 
 class AnnouncerTest {
@@ -27,53 +32,15 @@ class AnnouncerTest {
     }
 
     private val inOffice = SamplePlan.estimate(room = 0, x = 2.0, y = 1.0, headingDegrees = 90.0)
-    private val inSeminar = SamplePlan.estimate(room = 1, x = 2.0, y = 1.0, headingDegrees = 90.0)
-    private val lost = inOffice.copy(state = TrackState.LOST)
 
     private fun startInOffice() {
         told(inOffice, 2.0)
     }
 
-    @Test fun theFirstFixNamesTheRoomOnce() {
-        val searching = told(inOffice.copy(state = TrackState.SEARCHING), 3.0)
-        assertEquals(listOf(Message.BeltBack, Message.Searching), searching)
-        assertEquals(listOf(Message.RoomEntered(SamplePlan.office)), told(inOffice, 5.0).filterIsInstance<Message.RoomEntered>())
-    }
-
-    @Test fun anotherRoomIsToldWhenItHasSettled() {
-        startInOffice()
-        val wavering = (1..5).flatMap { told(inSeminar, 0.25) + told(inOffice, 0.25) }
-        assertTrue(wavering.none { it is Message.RoomEntered })
-        assertEquals(Message.RoomEntered(SamplePlan.seminar), told(inSeminar, 2.0).first())
-    }
-
-    @Test fun aDoorIsToldOnceAnApproach() {
-        startInOffice()
-        val near = SamplePlan.estimate(room = 0, x = 4.5, y = 2.0, headingDegrees = 0.0)
-        val doors = told(near, 3.0).filterIsInstance<Message.DoorNear>()
-        assertEquals(listOf(Direction.AHEAD), doors.map { it.seen.direction })
-        told(inOffice, 1.0)
-        assertEquals(1, told(near, 1.0).count { it is Message.DoorNear })
-    }
-
-    @Test fun theDoorOneCameThroughIsNotNews() {
-        startInOffice()
-        val justIn = SamplePlan.estimate(room = 1, x = 0.6, y = 2.0, headingDegrees = 120.0)
-        assertTrue(told(justIn, 3.0).none { it is Message.DoorNear })
-    }
-
-    @Test fun positionLostIsToldWithinTwoSecondsAndToldAgainWhenItIsBack() {
-        startInOffice()
-        assertEquals(listOf(Message.Unsure), told(lost, 2.0))
-        assertEquals(emptyList<Message>(), told(lost, 60.0))
-        val found = told(inOffice, 1.0)
-        assertEquals(Message.FoundAgain(SamplePlan.office, Direction.RIGHT), found.first { it is Message.FoundAgain })
-    }
-
     @Test fun beltLostAndBack() {
         startInOffice()
         assertEquals(listOf(Message.BeltLost), told(inOffice, 5.0, SamplePlan.health(BeltLink.LOST)))
-        assertEquals(listOf(Message.BeltBack), told(inOffice, 5.0).filter { it.topic == "belt" })
+        assertEquals(listOf(Message.BeltBack), told(inOffice, 5.0))
         assertEquals(listOf(Message.BeltLost), told(inOffice, 5.0, line = Line.GONE))
     }
 
@@ -99,19 +66,36 @@ class AnnouncerTest {
         assertEquals(listOf(Message.BatteryLow), flicker)
     }
 
-    @Test fun answersFollowWhatIsKnown() {
-        assertEquals(Answer.NotRunning, announcer.whereAmI().answer)
-        told(inOffice.copy(state = TrackState.SEARCHING, roomProbability = 0.7))
-        assertEquals(Answer.Unsure(SamplePlan.office), announcer.whereAmI().answer)
-        told(lost)
-        assertEquals(Answer.Unsure(null), announcer.whereAmI().answer)
+    @Test fun ofPositionAndWayItTellsWhatTheCoreSaysAndOfTheBeltItsOwn() {
+        startInOffice()
+        val turn = SampleCues.told(CueKind.TURN, "Turn left.", 90.0)
+        assertEquals(listOf(Message.Told(turn.cue)), announcer.onEvent(turn))
+        val belt = listOf(CueKind.BELT_LOST, CueKind.BELT_BACK, CueKind.BATTERY_LOW, CueKind.SENSOR_BLOCKED)
+        assertEquals(emptyList<Message>(), belt.flatMap { announcer.onEvent(SampleCues.told(it, "twice")) })
+    }
+
+    @Test fun aRoomThatIsEnteredComesWithWhatIsNiceToKnow() {
+        startInOffice()
+        val entering = GuidanceEvent.Told(SampleCues.cue(CueKind.ENTERING, "Room 4, Seminar room.", room = 1))
+        assertEquals(listOf(Message.Told(entering.cue), Message.RoomDetail(1, listOf("Lectern"))), announcer.onEvent(entering))
+    }
+
+    @Test fun whatCannotBeGrantedIsSaid() {
+        val refused = { wish: Wish -> announcer.onEvent(GuidanceEvent.Refused(wish, "for a log")) }
+        assertEquals(listOf(Message.CannotLead(NoWay.NO_EXIT_KNOWN)), refused(Wish.LeadTo(Destination.WAY_OUT)))
+        assertEquals(listOf(Message.CannotLead(NoWay.NOT_REACHABLE)), refused(Wish.LeadTo(Destination(DestinationKind.ROOM, 1))))
+        assertEquals(listOf(Message.CannotLead(NoWay.NOTHING_WALKED_YET)), refused(Wish.BackTrack))
+        assertEquals(listOf(Message.NothingToRepeat), refused(Wish.Repeat))
+    }
+
+    @Test fun theCoreAnswersWhileTheBeltIsHeard() {
+        assertEquals(NoAnswer.NotRunning, announcer.withoutAnswer())
+        startInOffice()
+        assertEquals(null, announcer.withoutAnswer())
         told(inOffice, 1.0, line = Line.GONE)
-        assertEquals(Answer.NoBelt(SamplePlan.office), announcer.whereAmI().answer)
-        told(SamplePlan.estimate(room = 1, x = 3.0, y = 2.0, headingDegrees = 0.0))
-        val here = announcer.whereAmI().answer as Answer.Here
-        assertEquals(Direction.BEHIND, here.door?.direction)
-        assertEquals(3.0, (here.facing as Facing.Wall).distanceM, 1e-9)
-        assertEquals("Lectern", here.place?.name)
+        assertEquals(NoAnswer.NoBelt(SamplePlan.office), announcer.withoutAnswer())
+        told(inOffice.copy(state = TrackState.LOST), 1.0, line = Line.GONE)
+        assertEquals(NoAnswer.NoBelt(null), announcer.withoutAnswer())
     }
 
     @Test fun aBuildingThatCannotBeOpenedIsToldOnce() {

@@ -1,40 +1,76 @@
 package org.echoway.app.guide
 
 import kotlinx.coroutines.ExperimentalCoroutinesApi
-import kotlinx.coroutines.launch
 import kotlinx.coroutines.test.TestScope
 import kotlinx.coroutines.test.advanceTimeBy
 import kotlinx.coroutines.test.runTest
 import org.echoway.app.testing.RecordingVoice
-import org.echoway.app.testing.SamplePlan
+import org.echoway.app.testing.SampleCues
 import org.echoway.app.testing.VirtualClock
+import org.echoway.core.CueKind
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertFalse
 import org.junit.Test
 
 @OptIn(ExperimentalCoroutinesApi::class)
 class SpeechQueueTest {
-    private val room = Message.RoomEntered(SamplePlan.office)
-    private val door = Message.DoorNear(Seen(Direction.AHEAD, 1.0, 0.1))
-    private val asked = Message.WhereAmI(Answer.NotRunning)
+    private val room = Message.Told(SampleCues.cue(CueKind.ENTERING, ""))
+    private val door = Message.Told(SampleCues.cue(CueKind.DOOR, ""))
+    private val turn = Message.Told(SampleCues.cue(CueKind.TURN, ""))
+    private val unsure = Message.Told(SampleCues.cue(CueKind.UNCERTAIN, ""))
+    private val stop = Message.Told(SampleCues.cue(CueKind.STOP, ""))
+    private val asked = Message.Unanswerable(NoAnswer.NotRunning)
 
     private fun speaking(test: suspend TestScope.(SpeechQueue, RecordingVoice) -> Unit) = runTest {
         val clock = VirtualClock(testScheduler)
         val voice = RecordingVoice(clock)
-        val queue = SpeechQueue(voice, clock)
-        backgroundScope.launch { queue.run() }
-        test(queue, voice)
+        test(SpeechQueue(voice, clock, backgroundScope), voice)
     }
 
-    @Test fun lossComesBeforeAnswersAndAnswersBeforePlaces() = speaking { queue, voice ->
+    @Test fun everyRankGoesBeforeTheNext() = speaking { queue, voice ->
         queue.say("being said", room)
         advanceTimeBy(100)
         queue.say("place", door)
         queue.say("answer", asked)
-        queue.say("lost", Message.Unsure)
+        queue.say("turn", turn)
+        queue.say("lost", unsure)
+        queue.say("danger", stop)
         advanceTimeBy(5_000)
-        assertEquals(listOf("being said", "lost", "answer", "place"), voice.words)
-        assertFalse("loss cuts a place off", voice.heard.first().whole)
+        assertEquals(listOf("being said", "danger", "lost", "turn", "answer", "place"), voice.words)
+        assertFalse("a place is cut off", voice.heard.first().whole)
+    }
+
+    @Test fun aLineIsCutOffOnlyByOneThatMattersMoreAndCannotWait() {
+        val lines = listOf("danger" to stop, "lost" to unsure, "turn" to turn, "answer" to asked, "place" to door)
+        for ((first, spoken) in lines) for ((second, newcomer) in lines) {
+            if (first == second) continue
+            speaking { queue, voice ->
+                queue.say("$first $first", spoken)
+                advanceTimeBy(100)
+                queue.say("$second $second", newcomer)
+                advanceTimeBy(3_000)
+                val cut = newcomer.rank < spoken.rank && second != "answer"
+                assertEquals("$second during $first", !cut, voice.heard.first().whole)
+            }
+        }
+    }
+
+    @Test fun aTurnThatWasCutOffByDangerIsNotSaidLate() = speaking { queue, voice ->
+        queue.say("turn left now please", turn)
+        advanceTimeBy(100)
+        queue.say("something ahead of you on your way that is quite near", stop)
+        advanceTimeBy(10_000)
+        assertEquals(2, voice.words.size)
+    }
+
+    @Test fun whatAScreenExplainsIsHushedWhenTheWearerGoesOn() = speaking { queue, voice ->
+        queue.say("a long explanation of one thing or other", Message.Explanation(""))
+        advanceTimeBy(500)
+        queue.hush("explanation")
+        queue.say("the next one", Message.Explanation(""))
+        advanceTimeBy(5_000)
+        assertEquals(listOf(false, true), voice.heard.map { it.whole })
+        assertEquals("the next one", voice.words.last())
     }
 
     @Test fun chatterNeverCutsOffWhatMatters() = speaking { queue, voice ->
@@ -48,7 +84,7 @@ class SpeechQueueTest {
     }
 
     @Test fun staleLinesAreDropped() = speaking { queue, voice ->
-        queue.say("a line that takes very much longer to be spoken than a door stays news", asked)
+        queue.say("a line that takes longer to be spoken than a door stays news", asked)
         advanceTimeBy(10)
         queue.say("door", door)
         advanceTimeBy(20_000)

@@ -3,49 +3,84 @@ package org.echoway.app.guide
 import android.content.Context
 import androidx.test.core.app.ApplicationProvider
 import androidx.test.ext.junit.runners.AndroidJUnit4
+import org.echoway.app.testing.SampleCues
 import org.echoway.app.testing.SamplePlan
+import org.echoway.core.CueKind
+import org.echoway.core.Destination
+import org.echoway.core.DestinationKind
+import org.echoway.core.Language
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertTrue
 import org.junit.Test
 import org.junit.runner.RunWith
 
-/** The exact words, by situation. */
+/** The exact words of the app's own lines, by situation and language. */
 @RunWith(AndroidJUnit4::class)
 class WordingTest {
-    private val wording = Wording(ApplicationProvider.getApplicationContext<Context>().resources)
+    private val context = ApplicationProvider.getApplicationContext<Context>()
 
-    private fun feet(feet: Double) = feet * 0.3048
+    private fun words(message: Message, language: Language = Language.ENGLISH) = Wording.of(context, language).words(message)
 
-    private fun seen(direction: Direction, feet: Double, sigmaM: Double = 0.1) = Seen(direction, feet(feet), sigmaM)
+    private val english = mapOf(
+        Message.Told(SampleCues.cue(CueKind.TURN, "Turn left.")) to "Turn left.",
+        Message.BeltLost to "Belt disconnected.",
+        Message.BeltBack to "Belt connected.",
+        Message.BeltNotAllowed to "Belt found. Allow its use on screen.",
+        Message.RecordingOver to "The recorded walk is over.",
+        Message.SensorBlocked(Side.FRONT_LEFT, 1) to "Front left sensor blocked.",
+        Message.SensorClear(Side.BACK, 7) to "Back sensor clear.",
+        Message.SensorsBlocked(4) to "Four sensors blocked.",
+        Message.BatteryLow to "Belt battery low.",
+        Message.NoVibration to "This phone cannot vibrate.",
+        Message.RoomDetail(1, emptyList()) to "One door.",
+        Message.RoomDetail(3, listOf("Lectern")) to "Three doors. Lectern.",
+        Message.RoomDetail(0, listOf("Lectern", "Piano")) to "Lectern, Piano.",
+        Message.Unanswerable(NoAnswer.NotRunning) to "Guidance is off.",
+        Message.Unanswerable(NoAnswer.NoBelt(SamplePlan.office)) to "Belt disconnected. You were in Room 1.",
+        Message.Unanswerable(NoAnswer.NoBelt(null)) to "Belt disconnected.",
+        Message.Again("Room 2, corridor.") to "Room 2, corridor.",
+        Message.NothingToRepeat to "Nothing to repeat.",
+        Message.Muted(true) to "Muted. Danger is still spoken.",
+        Message.Muted(false) to "Speaking again.",
+        Message.CannotLead(NoWay.NO_EXIT_KNOWN) to "No exit is known here.",
+        Message.CannotLead(NoWay.NOTHING_WALKED_YET) to "No way back yet.",
+        Message.CannotLead(NoWay.NOT_REACHABLE) to "No way leads there.",
+        Message.CannotLead(NoWay.NOT_RUNNING) to "Guidance is off.",
+        Message.LeadingBack to "Back the way you came.",
+        Message.LeadingStopped to "No longer leading you.",
+    )
 
     @Test fun situations() {
-        val table = mapOf(
-            Message.RoomEntered(SamplePlan.seminar) to "Room 4, Seminar room.",
-            Message.RoomEntered(SamplePlan.seminar.copy(name = "")) to "Room 4.",
-            Message.DoorNear(seen(Direction.RIGHT, 6.0)) to "Door right, six feet.",
-            Message.DoorNear(seen(Direction.SLIGHTLY_LEFT, 1.2)) to "Door slightly left, one foot.",
-            Message.DoorNear(seen(Direction.AHEAD, 13.0)) to "Door ahead, fifteen feet.",
-            Message.DoorNear(seen(Direction.AHEAD, 9.8)) to "Door ahead, ten feet.",
-            Message.DoorNear(seen(Direction.AHEAD, 6.0, sigmaM = 1.0)) to "Door ahead, a few steps.",
-            Message.PlaceNear("Lectern", seen(Direction.BEHIND, 3.0)) to "Lectern behind you, three feet.",
-            Message.Unsure to "Not sure where you are. Stop and turn slowly.",
-            Message.FoundAgain(SamplePlan.office, Direction.LEFT) to "Room 1 again. Door left.",
-            Message.FoundAgain(SamplePlan.office, null) to "Room 1 again.",
-            Message.SensorBlocked(Side.FRONT_LEFT, 1) to "Front left sensor blocked.",
-            Message.SensorsBlocked(4) to "Four sensors blocked.",
-            Message.BeltLost to "Belt disconnected.",
-            Message.BeltBack to "Belt connected.",
-            Message.BatteryLow to "Belt battery low.",
-        )
-        table.forEach { (message, words) -> assertEquals(words, wording.words(message)) }
-        table.keys.filter { it.rank >= Rank.PLACE }.forEach { assertTrue(wording.words(it).split(' ').size <= 8) }
+        english.forEach { (message, words) -> assertEquals(words, words(message)) }
+        english.values.forEach { assertTrue(it, it.split(' ').size <= 8) }
     }
 
-    @Test fun whereAmI() {
-        val here = Answer.Here(SamplePlan.seminar, Facing.Wall(feet(12.0), 0.1), seen(Direction.BEHIND, 8.0), null)
-        assertEquals("Room 4, Seminar room. Facing a wall, ten feet. Door behind you, eight feet.", wording.words(Message.WhereAmI(here)))
-        val atDoor = Answer.Here(SamplePlan.office, Facing.Door, seen(Direction.AHEAD, 3.0), null)
-        assertEquals("Room 1, Office. Facing a door.", wording.words(Message.WhereAmI(atDoor)))
-        assertEquals("Belt disconnected. You were in Room 1.", wording.words(Message.WhereAmI(Answer.NoBelt(SamplePlan.office))))
+    @Test fun everyLanguageHasItsOwnWords() {
+        for (language in listOf(Language.GERMAN, Language.FRENCH)) {
+            english.keys.filterNot { it is Message.Told || it is Message.Again || it == Message.RoomDetail(0, listOf("Lectern", "Piano")) }.forEach {
+                val line = words(it, language)
+                assertTrue("$language: $line", line.isNotEmpty() && line != words(it))
+                assertTrue("$language: $line", line.split(' ').size <= 8)
+            }
+        }
+        assertEquals("Sensor vorn links verdeckt.", words(Message.SensorBlocked(Side.FRONT_LEFT, 1), Language.GERMAN))
+        assertEquals("Capteur avant gauche masqué.", words(Message.SensorBlocked(Side.FRONT_LEFT, 1), Language.FRENCH))
+    }
+
+    @Test fun pluralsAreThoseOfTheLanguage() {
+        val doors = { count: Int, language: Language -> words(Message.RoomDetail(count, emptyList()), language) }
+        assertEquals(listOf("One door.", "Two doors.", "Twelve doors."), listOf(1, 2, 12).map { doors(it, Language.ENGLISH) })
+        assertEquals(listOf("Eine Tür.", "Zwei Türen.", "Zwölf Türen."), listOf(1, 2, 12).map { doors(it, Language.GERMAN) })
+        assertEquals(listOf("Une porte.", "Deux portes.", "Douze portes."), listOf(1, 2, 12).map { doors(it, Language.FRENCH) })
+    }
+
+    @Test fun destinationsAreCalledWhatTheyAre() {
+        val name = { kind: DestinationKind, index: Int, language: Language ->
+            Wording.of(context, language).name(SamplePlan.plan, Destination(kind, index))
+        }
+        assertEquals("Lectern", name(DestinationKind.PLACE, 0, Language.ENGLISH))
+        assertEquals("Main entrance", name(DestinationKind.EXIT, 0, Language.GERMAN))
+        assertEquals("Raum 4, Seminar room", name(DestinationKind.ROOM, 1, Language.GERMAN))
+        assertEquals("Way out", name(DestinationKind.NEAREST_EXIT, -1, Language.ENGLISH))
     }
 }

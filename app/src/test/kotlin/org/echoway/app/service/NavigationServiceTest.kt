@@ -9,6 +9,7 @@ import org.echoway.app.belt.BeltEvent
 import org.echoway.app.belt.WireSentence
 import org.echoway.app.engine.Line
 import org.echoway.app.engine.NavigationState
+import org.echoway.app.guide.Ask
 import org.echoway.app.touch.Touch
 import org.junit.After
 import org.junit.Assert.assertEquals
@@ -76,7 +77,7 @@ class NavigationServiceTest {
         settle()
         assertEquals(NavigationNotification.ID, shadowOf(service.get()).lastForegroundNotificationId)
         assertEquals("Waiting for the belt.", text())
-        assertEquals(listOf("Where am I?", "Stop"), notification().actions.map { it.title.toString() })
+        assertEquals(listOf("Where am I?", "Way out", "Stop"), notification().actions.map { it.title.toString() })
         assertTrue(container.settings.settings.value.navigating)
     }
 
@@ -110,7 +111,7 @@ class NavigationServiceTest {
     @Test fun whereAmIIsAnsweredFromTheNotification() {
         command(NavigationService.ACTION_START)
         awaitRunning()
-        command(NavigationService.ACTION_WHERE_AM_I)
+        command(NavigationService.actionOf(Ask.WHERE_AM_I))
         settle(2_000)
         assertEquals("Belt disconnected.", container.voice.words.last())
     }

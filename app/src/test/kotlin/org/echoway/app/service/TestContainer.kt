@@ -4,6 +4,7 @@ import android.app.Application
 import android.content.Context
 import java.io.File
 import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.MainScope
 import org.echoway.app.AppContainer
 import org.echoway.app.Clock
 import org.echoway.app.ContainerOwner
@@ -12,6 +13,7 @@ import org.echoway.app.building.BuildingLibrary
 import org.echoway.app.building.BundledBuildings
 import org.echoway.app.engine.Navigator
 import org.echoway.app.guide.Guide
+import org.echoway.app.guide.SpeechQueue
 import org.echoway.app.guide.Wording
 import org.echoway.app.motion.MotionSource
 import org.echoway.app.recording.Recordings
@@ -35,7 +37,8 @@ class TestContainer(context: Context) : AppContainer {
     override val navigator = Navigator(Dispatchers.Main, clock)
     override val voice = RecordingVoice(clock)
     override val buzzer = RecordingBuzzer()
-    override val guide = Guide(Wording(context.resources), voice, buzzer, clock)
+    override val speech = SpeechQueue(voice, clock, MainScope())
+    override val guide = Guide({ Wording.of(context, it) }, speech, buzzer, navigator)
     override val motion = MotionSource { emptyFlow() }
     override val recordings = Recordings(File(context.filesDir, "recordings"))
     override val cacheDir: File = context.cacheDir

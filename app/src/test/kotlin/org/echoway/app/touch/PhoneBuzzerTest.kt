@@ -1,6 +1,7 @@
 package org.echoway.app.touch
 
 import android.content.Context
+import android.os.VibrationEffect.Composition
 import android.os.Vibrator
 import androidx.test.core.app.ApplicationProvider
 import androidx.test.ext.junit.runners.AndroidJUnit4
@@ -15,30 +16,73 @@ import org.robolectric.Shadows.shadowOf
 @RunWith(AndroidJUnit4::class)
 class PhoneBuzzerTest {
     private val vibrator = ApplicationProvider.getApplicationContext<Context>().getSystemService(Vibrator::class.java)
+    private val shadow get() = shadowOf(vibrator)
 
-    @Test fun playsThePatternOfTheWord() {
-        PhoneBuzzer(vibrator).play(Touch.BELT_LOST)
-        assertTrue(shadowOf(vibrator).isVibrating)
-        assertArrayEquals(longArrayOf(0, 350, 120, 350, 120, 350), shadowOf(vibrator).pattern)
+    /** Pauses and pulses in milliseconds of every word, beginning with a pause. */
+    private val waveforms = mapOf(
+        Touch.LEFT to longArrayOf(0, 350, 120, 90),
+        Touch.RIGHT to longArrayOf(0, 90, 120, 350),
+        Touch.AHEAD to longArrayOf(0, 90),
+        Touch.TURN_AROUND to longArrayOf(0, 350, 120, 350),
+        Touch.ARRIVED to longArrayOf(0, 90, 120, 90, 120, 90),
+        Touch.SOMETHING_AHEAD to longArrayOf(0, 40),
+        Touch.ROOM_ENTERED to longArrayOf(0, 90, 120, 90),
+        Touch.UNSURE to longArrayOf(0, 1200),
+        Touch.BELT_LOST to longArrayOf(0, 350, 120, 350, 120, 350),
+        Touch.BELT_BACK to longArrayOf(0, 90, 120, 90, 120, 90),
+    )
+
+    @Test fun everyWordIsAWaveformWhereThereAreNoPrimitives() {
+        assertEquals(Touch.entries.toSet(), waveforms.keys)
+        waveforms.forEach { (touch, pattern) ->
+            PhoneBuzzer(vibrator).play(touch)
+            assertTrue(shadow.isVibrating)
+            assertArrayEquals("$touch", pattern, shadow.pattern)
+        }
+    }
+
+    @Test fun primitivesAreUsedWhereAllOfAWordAreSupported() {
+        shadow.setSupportedPrimitives(listOf(Composition.PRIMITIVE_CLICK, Composition.PRIMITIVE_THUD, Composition.PRIMITIVE_TICK))
+        fun primitives(touch: Touch): List<Int> {
+            PhoneBuzzer(vibrator).play(touch)
+            return shadow.primitiveSegmentsInPrimitiveEffects.map { primitiveOf(it) }
+        }
+        assertEquals(listOf(Composition.PRIMITIVE_THUD, Composition.PRIMITIVE_CLICK), primitives(Touch.LEFT))
+        assertEquals(listOf(Composition.PRIMITIVE_CLICK, Composition.PRIMITIVE_THUD), primitives(Touch.RIGHT))
+        assertEquals(listOf(Composition.PRIMITIVE_TICK), primitives(Touch.SOMETHING_AHEAD))
+    }
+
+    /** The shadow's own record of a primitive tells its fields only in words. */
+    private fun primitiveOf(segment: Any): Int = Regex("id=(\\d+)").find("$segment")!!.groupValues[1].toInt()
+
+    @Test fun aMotorThatLacksOnePrimitivePlaysTheWaveform() {
+        shadow.setSupportedPrimitives(listOf(Composition.PRIMITIVE_CLICK))
+        PhoneBuzzer(vibrator).play(Touch.LEFT)
+        assertArrayEquals(waveforms.getValue(Touch.LEFT), shadow.pattern)
+        PhoneBuzzer(vibrator).play(Touch.UNSURE)
+        assertArrayEquals("no primitive is that long", waveforms.getValue(Touch.UNSURE), shadow.pattern)
     }
 
     @Test fun aPhoneWithoutAVibratorIsFine() {
-        shadowOf(vibrator).setHasVibrator(false)
+        shadow.setHasVibrator(false)
         val buzzer = PhoneBuzzer(vibrator)
         assertFalse(buzzer.present)
         buzzer.play(Touch.AHEAD)
-        assertFalse(shadowOf(vibrator).isVibrating)
+        assertFalse(shadow.isVibrating)
         assertFalse(PhoneBuzzer(null).present)
     }
 
     @Test fun wordsCanBeToldApart() {
-        assertEquals(Touch.entries.size, Touch.entries.map { it.pattern }.distinct().size)
-        for (touch in Touch.entries) {
-            val (timings, strengths) = touch.pattern
-            assertEquals(timings.size, strengths.size)
-            timings.filterIndexed { i, _ -> i % 2 == 0 && i > 0 }.forEach { assertTrue("$touch pauses $it ms", it >= 50) }
-        }
-        val strengths = Touch.entries.flatMap { it.pattern.strengths }.filter { it > 0 }.distinct().sorted()
-        strengths.zipWithNext().forEach { (soft, strong) -> assertTrue("$soft and $strong", strong >= 1.4 * soft) }
+        assertEquals(Touch.entries.size, Touch.entries.map { it.pulses }.distinct().size)
+        assertTrue("two pulses are felt as two", GAP_MS >= 50)
+        Strength.entries.map { it.amplitude }.zipWithNext().forEach { (soft, strong) -> assertTrue("$soft, $strong", strong >= 1.4 * soft) }
+        assertEquals(Strength.entries, Touch.ARRIVED.pulses.map { it.strength })
+    }
+
+    @Test fun ticksQuickenAsItNearsButStayApart() {
+        val gaps = (0..40).map { tickGapMs(it / 10.0) }
+        assertEquals(gaps.sorted(), gaps)
+        assertTrue("${gaps.first()}", gaps.first() - Length.TICK.ms >= 50)
+        assertTrue("${gaps.last()}", gaps.last() > 4 * gaps.first())
     }
 }

@@ -15,6 +15,7 @@ import org.echoway.app.AppContainer
 import org.echoway.app.building.InstalledBuilding
 import org.echoway.app.engine.Line
 import org.echoway.app.engine.NavigationState
+import org.echoway.app.guide.Ask
 import org.echoway.app.ui.StateWords
 import org.echoway.app.voice.VoiceStatus
 import org.echoway.core.LengthStyle
@@ -36,7 +37,7 @@ class LiveViewModel(private val container: AppContainer, private val words: Stat
             .combine(container.settings.settings.map { it.lengths }.distinctUntilChanged(), ::measured)
             .stateIn(viewModelScope, SharingStarted.WhileSubscribed(STOP_AFTER_MS), LiveUiState.Loading)
 
-    fun whereAmI() = container.guide.whereAmI()
+    fun whereAmI() = container.guide.ask(Ask.WHERE_AM_I)
 
     private fun show(chosen: Choice, state: NavigationState, lastLine: String, voice: VoiceStatus): LiveUiState = when (state) {
         is NavigationState.Running -> on(state, lastLine, voice)
