@@ -27,6 +27,10 @@ import org.echoway.app.belt.UsbBus
 import org.echoway.app.belt.WalkLog
 import org.echoway.app.building.BuildingLibrary
 import org.echoway.app.building.BundledBuildings
+import org.echoway.app.control.Lookout
+import org.echoway.app.control.MomentOfSilence
+import org.echoway.app.control.PhoneSiren
+import org.echoway.app.control.Presence
 import org.echoway.app.engine.Navigator
 import org.echoway.app.guide.Guide
 import org.echoway.app.guide.SpeechQueue
@@ -54,6 +58,8 @@ interface AppContainer {
     val navigator: Navigator
     val speech: SpeechQueue
     val guide: Guide
+    val lookout: Lookout
+    val presence: Presence
     val voice: Voice
     val buzzer: Buzzer
     val motion: MotionSource
@@ -83,6 +89,10 @@ open class PhoneContainer(private val context: Context) : AppContainer {
     override val speech by lazy { SpeechQueue(voice, clock, MainScope()) }
 
     override val guide by lazy { Guide({ Wording.of(context, it) }, speech, buzzer, navigator) }
+
+    override val lookout by lazy { Lookout(PhoneSiren(), clock, guide::tell) }
+
+    override val presence: Presence get() = MomentOfSilence()
 
     override val voice: Voice by lazy {
         VoiceWithTones(TtsVoice(context, PhoneAudioFocus(context.getSystemService(AudioManager::class.java)))) { beep() }

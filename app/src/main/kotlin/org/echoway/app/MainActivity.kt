@@ -8,6 +8,7 @@ import android.net.Uri
 import android.os.Build
 import android.os.Bundle
 import android.provider.OpenableColumns
+import android.view.KeyEvent
 import androidx.activity.ComponentActivity
 import androidx.activity.compose.setContent
 import androidx.activity.enableEdgeToEdge
@@ -19,7 +20,10 @@ import androidx.lifecycle.viewmodel.initializer
 import androidx.lifecycle.viewmodel.viewModelFactory
 import java.io.FileNotFoundException
 import kotlinx.coroutines.launch
+import org.echoway.app.control.VolumeChords
+import org.echoway.app.control.VolumeKey
 import org.echoway.app.service.NavigationService
+import org.echoway.app.settings.Settings
 import org.echoway.app.settings.SourceKind
 import org.echoway.app.ui.ActivityActions
 import org.echoway.app.ui.EchowayUi
@@ -32,6 +36,8 @@ class MainActivity : ComponentActivity() {
 
     // Guidance starts whatever the answer is: without notifications it still speaks, without steps it still locates.
     private val permissions = registerForActivityResult(RequestMultiplePermissions()) { NavigationService.start(this) }
+    private val chords by lazy { VolumeChords(container.guide) }
+    private var volumeKeysAsk = false
     private val recording = registerForActivityResult(OpenDocument()) { uri -> uri?.let(::useRecording) }
 
     override fun onCreate(savedInstanceState: Bundle?) {
@@ -40,6 +46,7 @@ class MainActivity : ComponentActivity() {
         setContent {
             EchowayUi(container, setup, ActivityActions(start = ::start, stop = ::stop) { recording.launch(LOG_TYPES) })
         }
+        lifecycleScope.launch { container.settings.settings.collect(::follow) }
         if (savedInstanceState == null) onUsbAttached(intent)
     }
 
@@ -55,6 +62,19 @@ class MainActivity : ComponentActivity() {
             container.settings.update { it.copy(source = SourceKind.USB) }
             start()
         }
+    }
+
+    /** Chords of the volume keys ask; a single key stays the volume's. */
+    override fun dispatchKeyEvent(event: KeyEvent): Boolean {
+        val key = VOLUME_KEYS[event.keyCode]?.takeIf { volumeKeysAsk && event.action in KEY_ACTIONS }
+            ?: return super.dispatchKeyEvent(event)
+        return chords.onKey(key, event.action == KeyEvent.ACTION_DOWN, event.eventTime) || super.dispatchKeyEvent(event)
+    }
+
+    private fun follow(settings: Settings) {
+        volumeKeysAsk = settings.volumeKeys
+        // Whoever is to find a firefighter must reach "Cancel alarm" on a locked phone.
+        if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.O_MR1) setShowWhenLocked(settings.firefighter)
     }
 
     private fun start() {
@@ -78,6 +98,9 @@ class MainActivity : ComponentActivity() {
     }
 
     private companion object {
+        val VOLUME_KEYS = mapOf(KeyEvent.KEYCODE_VOLUME_UP to VolumeKey.UP, KeyEvent.KEYCODE_VOLUME_DOWN to VolumeKey.DOWN)
+        val KEY_ACTIONS = setOf(KeyEvent.ACTION_DOWN, KeyEvent.ACTION_UP)
+
         /** Providers disagree on what a CSV file is. */
         val LOG_TYPES = arrayOf("text/*", "application/octet-stream")
     }

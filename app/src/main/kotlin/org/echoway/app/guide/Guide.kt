@@ -9,6 +9,7 @@ import kotlinx.coroutines.flow.asStateFlow
 import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.flow.combine
 import kotlinx.coroutines.flow.distinctUntilChanged
+import kotlinx.coroutines.flow.first
 import kotlinx.coroutines.flow.map
 import kotlinx.coroutines.launch
 import org.echoway.app.engine.Core
@@ -41,6 +42,7 @@ class Guide(
     private var manner = Manner()
     private var preferences = RoutePreferences()
     private var wording = wordings(speech.language.value)
+    private var vibrates = true
     private var running = false
 
     /** The newest line in words, for the screen and for phones that cannot speak. */
@@ -51,7 +53,8 @@ class Guide(
     /** Observes navigation until it is cancelled. */
     suspend fun run(states: Flow<NavigationState>, events: Flow<GuidanceEvent>, settings: Flow<Settings>) = coroutineScope {
         silenced.value = false
-        if (!buzzer.present) tell(Message.NoVibration)
+        follow(settings.first(), speech.language.value)
+        if (!buzzer.present && vibrates) tell(Message.NoVibration)
         launch { combine(settings, speech.language, ::Pair).collect { (wanted, language) -> follow(wanted, language) } }
         launch { events.collect { event -> announcer.onEvent(event).forEach(::tell) } }
         launch { states.map(::obstacle).distinctUntilChanged().collectLatest { it?.let { tick(it) } } }
@@ -79,9 +82,12 @@ class Guide(
 
     /** Says a line of a screen that explains itself; the newest takes the place of the one before. */
     fun explain(words: String) {
-        speech.hush(Message.Explanation(words).topic)
+        hush()
         tell(Message.Explanation(words))
     }
+
+    /** Ends an explanation half way through: the wearer has gone on. */
+    fun hush() = speech.hush(Message.EXPLANATION)
 
     /** Lets one feel a pattern and says what it is called. */
     fun practise(touch: Touch, words: String) {
@@ -111,24 +117,31 @@ class Guide(
     }
 
     private fun follow(settings: Settings, language: Language) {
+        speech.speakIn(settings.language)
+        vibrates = settings.vibration
         wording = wordings(language)
         manner = Manner(settings.service, settings.verbosity, silenced.value)
         preferences = RoutePreferences(settings.avoidStairs)
         core.speakIn(SpeechStyle(language, settings.directions, settings.lengths))
     }
 
-    private fun tell(message: Message) {
-        message.touch?.let(buzzer::play)
+    /** Tells what is not navigation's: of the app, and of the wearer. */
+    fun tell(message: Message) {
+        message.touch?.let(::feel)
         if (!manner.speaks(message)) return
         val words = wording.words(message)
         told.value = words
         speech.say(words, message)
     }
 
+    private fun feel(touch: Touch) {
+        if (vibrates) buzzer.play(touch)
+    }
+
     /** Ticks that quicken as the thing in the way comes nearer. */
     private suspend fun tick(distanceM: Double) {
         while (true) {
-            buzzer.play(Touch.SOMETHING_AHEAD)
+            feel(Touch.SOMETHING_AHEAD)
             delay(tickGapMs(distanceM))
         }
     }

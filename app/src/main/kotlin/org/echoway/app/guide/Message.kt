@@ -72,10 +72,20 @@ sealed class Message(val rank: Rank, val topic: String, val validS: Double) {
 
     data object LeadingStopped : Message(Rank.ASKED, "leading", ROUTINE_S)
 
+    /** What firefighter mode is not. */
+    data object NotAPass : Message(Rank.ASKED, "firefighter", LASTING_S)
+
+    data object StillSoon : Message(Rank.DANGER, "still", ANSWER_S)
+
+    data object StillAlarm : Message(Rank.DANGER, "still", LASTING_S)
+
+    data object StillCancelled : Message(Rank.ASKED, "still", ROUTINE_S)
+
     /** A line of the practice screen or of the first run. */
-    data class Explanation(val words: String) : Message(Rank.ASKED, "explanation", LASTING_S)
+    data class Explanation(val words: String) : Message(Rank.ASKED, EXPLANATION, LASTING_S)
 
     companion object {
+        const val EXPLANATION = "explanation"
         const val ROUTINE_S = 6.0
 
         /** True until another message of the topic says otherwise. */

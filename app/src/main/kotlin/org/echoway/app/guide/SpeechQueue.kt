@@ -38,8 +38,10 @@ class SpeechQueue(private val voice: Voice, private val clock: Clock, private va
     private val spoken = mutableMapOf<String, Double>()
     private var worker: Job? = null
 
-    /** What is to be spoken in: the phone's language where core and engine know it. */
+    /** What is to be spoken in: the wanted language where core and engine know it. */
     val language: StateFlow<Language> get() = voice.language
+
+    fun speakIn(language: Language?) = voice.speakIn(language)
 
     /** Repetitions are not remembered: asked twice, the same line comes twice. */
     @Volatile var lastSpoken: Spoken? = null

@@ -11,6 +11,7 @@ internal val Message.touch: Touch?
         is Message.Told -> cue.touch
         Message.BeltLost -> Touch.BELT_LOST
         Message.BeltBack -> Touch.BELT_BACK
+        Message.StillSoon, Message.StillAlarm -> Touch.MOVE_NOW
         else -> null
     }
 

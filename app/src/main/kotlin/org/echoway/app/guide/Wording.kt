@@ -1,11 +1,11 @@
 package org.echoway.app.guide
 
 import android.content.Context
-import android.content.res.Configuration
 import android.content.res.Resources
 import android.icu.text.RuleBasedNumberFormat
 import java.util.Locale
 import org.echoway.app.R
+import org.echoway.app.settings.inLanguage
 import org.echoway.core.Destination
 import org.echoway.core.DestinationKind
 import org.echoway.core.Language
@@ -37,6 +37,10 @@ class Wording(private val resources: Resources) {
         is Message.CannotLead -> text(message.why.words)
         Message.LeadingBack -> text(R.string.say_leading_back)
         Message.LeadingStopped -> text(R.string.say_leading_stopped)
+        Message.NotAPass -> text(R.string.not_a_pass)
+        Message.StillSoon -> text(R.string.still_soon)
+        Message.StillAlarm -> text(R.string.still_alarm)
+        Message.StillCancelled -> text(R.string.still_cancelled)
         is Message.Explanation -> message.words
     }
 
@@ -89,9 +93,6 @@ class Wording(private val resources: Resources) {
 
     companion object {
         /** The words of a language, whatever the phone's is. */
-        fun of(context: Context, language: Language): Wording {
-            val configuration = Configuration(context.resources.configuration).apply { setLocale(Locale.forLanguageTag(language.tag)) }
-            return Wording(context.createConfigurationContext(configuration).resources)
-        }
+        fun of(context: Context, language: Language) = Wording(context.inLanguage(language).resources)
     }
 }

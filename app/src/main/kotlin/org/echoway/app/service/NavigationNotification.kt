@@ -6,6 +6,7 @@ import android.app.NotificationManager
 import android.app.PendingIntent
 import android.app.Service
 import android.content.Intent
+import android.widget.RemoteViews
 import androidx.core.app.NotificationCompat
 import org.echoway.app.MainActivity
 import org.echoway.app.R
@@ -36,11 +37,21 @@ internal class NavigationNotification(private val service: Service) {
         .setOnlyAlertOnce(true)
         .setForegroundServiceBehavior(NotificationCompat.FOREGROUND_SERVICE_IMMEDIATE)
         .setContentIntent(activity())
+        .setStyle(NotificationCompat.DecoratedCustomViewStyle())
+        .setCustomBigContentView(controls(text))
         // Android shows three without unfolding.
         .addAction(0, service.getString(R.string.where_am_i), command(NavigationService.actionOf(Ask.WHERE_AM_I)))
         .addAction(0, service.getString(R.string.way_out), command(NavigationService.actionOf(Ask.WAY_OUT)))
         .addAction(0, service.getString(R.string.stop), command(NavigationService.ACTION_STOP))
         .build()
+
+    /** What does not fit among the three that Android shows. */
+    private fun controls(text: String) = RemoteViews(service.packageName, R.layout.notification_controls).apply {
+        setTextViewText(R.id.state, text)
+        setOnClickPendingIntent(R.id.repeat, command(NavigationService.actionOf(Ask.REPEAT)))
+        setOnClickPendingIntent(R.id.mute, command(NavigationService.actionOf(Ask.MUTE)))
+        setOnClickPendingIntent(R.id.way_back, command(NavigationService.actionOf(Ask.WAY_BACK)))
+    }
 
     private fun activity() =
         PendingIntent.getActivity(service, 0, Intent(service, MainActivity::class.java), PendingIntent.FLAG_IMMUTABLE)

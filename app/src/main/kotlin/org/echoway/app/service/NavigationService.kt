@@ -11,6 +11,7 @@ import androidx.core.content.ContextCompat
 import androidx.lifecycle.LifecycleService
 import androidx.lifecycle.lifecycleScope
 import kotlinx.coroutines.Job
+import kotlinx.coroutines.cancelAndJoin
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.flow.distinctUntilChanged
 import kotlinx.coroutines.flow.first
@@ -19,6 +20,7 @@ import kotlinx.coroutines.launch
 import org.echoway.app.R
 import org.echoway.app.building.startAt
 import org.echoway.app.container
+import org.echoway.app.control.MediaControls
 import org.echoway.app.engine.NavigationState
 import org.echoway.app.guide.Ask
 import org.echoway.app.guide.hearsBelt
@@ -64,13 +66,16 @@ class NavigationService : LifecycleService() {
             return
         }
         container.settings.update { it.copy(navigating = true) }
-        navigation?.cancel()
+        // Two at once would share the core and the buttons.
+        navigation?.cancelAndJoin()
         navigation = lifecycleScope.launch { navigate(settings) }
     }
 
     private suspend fun navigate(settings: Settings) = coroutineScope {
         val states = container.navigator.state
         launch { container.guide.run(states, container.navigator.events, container.settings.settings) }
+        launch { container.lookout.run(states, container.settings.settings) }
+        launch { buttons() }
         launch { states.map(notification::text).distinctUntilChanged().collect(notification::show) }
         launch { states.collect { wakeLock.update(it is NavigationState.Running && it.hearsBelt) } }
         val building = settings.building?.let { container.buildings.find(it) }
@@ -83,6 +88,11 @@ class NavigationService : LifecycleService() {
         // A walk that is replayed is not recorded again.
         if (settings.source != SourceKind.RECORDING) launch { recording.follow(container.settings.settings.map { it.record }) }
         container.navigator.run(building, start, container.beltSource(settings), container.motion, recording)
+    }
+
+    /** Buttons of headsets, and in firefighter mode the volume keys, for as long as guidance runs. */
+    private suspend fun buttons() = MediaControls(this, container.guide, container.clock, container.presence).use { buttons ->
+        container.settings.settings.collect { buttons.takesVolumeKeys = it.firefighter }
     }
 
     /** False when the system does not allow it now; a tap on the app then starts it. */

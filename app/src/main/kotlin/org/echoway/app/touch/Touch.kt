@@ -14,6 +14,9 @@ enum class Touch {
     UNSURE,
     BELT_LOST,
     BELT_BACK,
+
+    /** Firefighter mode: not moved for a while. */
+    MOVE_NOW,
 }
 
 /** Something that vibrates, or a phone that cannot. */
@@ -46,6 +49,7 @@ val Touch.pulses: List<Pulse>
         Touch.UNSURE -> listOf(Pulse(Length.VERY_LONG, Strength.SOFT))
         Touch.BELT_LOST -> listOf(LONG, LONG, LONG)
         Touch.BELT_BACK -> listOf(SHORT, SHORT, SHORT)
+        Touch.MOVE_NOW -> listOf(Pulse(Length.VERY_LONG, Strength.STRONG))
     }
 
 /** From one tick to the next, milliseconds: twelve a second at arm's length, two a second at two and a half metres. */

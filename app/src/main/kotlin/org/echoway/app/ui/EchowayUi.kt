@@ -47,15 +47,18 @@ fun EchowayUi(container: AppContainer, setup: SetupViewModel, actions: ActivityA
         EchowayTheme(chosen.theme) {
             val screens = rememberNavController()
             val open: (Route) -> Unit = { route -> screens.navigate(route) { launchSingleTop = true } }
+            val home: () -> Unit = { screens.navigate(Route.Live) { popUpTo(screens.graph.id) { inclusive = true } } }
+            val first = remember { firstScreen(chosen) }
             NavHost(
                 screens,
-                startDestination = Route.Live,
+                startDestination = first,
                 // A screen that slides is a screen that TalkBack reads twice.
                 enterTransition = { EnterTransition.None },
                 exitTransition = { ExitTransition.None },
             ) {
                 guidance(container, actions, open)
                 composable<Route.Menu> { MenuScreen(open, screens::back) }
+                wearerScreens(container, actions, home, screens::back)
                 setup(setup, actions, screens::back)
                 buildings(container, open, screens::back)
                 recordings(container, actions.start, open, screens::back)

@@ -17,13 +17,14 @@ import kotlinx.coroutines.suspendCancellableCoroutine
 import org.echoway.core.Language
 
 /**
- * The phone's text-to-speech engine, as navigation guidance that other sounds make way for. Speaks the phone's language, or
+ * The phone's text-to-speech engine, as navigation guidance that other sounds make way for. Speaks the wanted language, or
  * English where there are no words in it or the engine does not know it. Rate, pitch and voice are the system's own. Without
  * an engine it says nothing and [status] tells.
  */
 class TtsVoice(context: Context, private val focus: AudioFocus, private val locale: () -> Locale = Locale::getDefault) : Voice {
     private val state = MutableStateFlow(VoiceStatus.STARTING)
     override val status: StateFlow<VoiceStatus> = state.asStateFlow()
+    @Volatile private var wanted: Language? = null
     private val spoken = MutableStateFlow(Language.of(locale().language))
     override val language: StateFlow<Language> = spoken.asStateFlow()
 
@@ -43,6 +44,13 @@ class TtsVoice(context: Context, private val focus: AudioFocus, private val loca
         }
     }
 
+    override fun speakIn(language: Language?) {
+        if (language == wanted) return
+        wanted = language
+        if (status.value == VoiceStatus.STARTING) return // onInit() follows
+        chooseLanguage()
+    }
+
     fun shutdown() = tts.shutdown()
 
     private fun start(text: String, continuation: CancellableContinuation<Outcome>) {
@@ -60,10 +68,18 @@ class TtsVoice(context: Context, private val focus: AudioFocus, private val loca
         }
         tts.setAudioAttributes(NAVIGATION)
         tts.setOnUtteranceProgressListener(progress)
-        val hasWords = Language.of(locale().language).tag == locale().language
+        chooseLanguage()
+    }
+
+    private fun chooseLanguage() {
+        // The phone's own locale knows the country, and so the accent.
+        val ideal = wanted?.takeIf { it.tag != locale().language }?.let { Locale.forLanguageTag(it.tag) } ?: locale()
+        val language = Language.of(ideal.language)
+        val able = language.tag == ideal.language && speaks(ideal)
+        spoken.value = if (able) language else Language.ENGLISH
         state.value = when {
-            hasWords && speaks(locale()) -> VoiceStatus.READY
-            speaks(Locale.ENGLISH) -> VoiceStatus.OTHER_LANGUAGE.also { spoken.value = Language.ENGLISH }
+            able -> VoiceStatus.READY
+            speaks(Locale.ENGLISH) -> VoiceStatus.OTHER_LANGUAGE
             else -> VoiceStatus.NO_ENGINE
         }
     }

@@ -18,7 +18,7 @@ enum class VoiceStatus {
     STARTING,
     READY,
 
-    /** Speaks English, because the engine does not know the phone's language or there are no words in it. */
+    /** Speaks English, because the engine does not know the wanted language or there are no words in it. */
     OTHER_LANGUAGE,
 
     /** No speech engine; lines are tones and touch. */
@@ -29,8 +29,11 @@ enum class VoiceStatus {
 interface Voice {
     val status: StateFlow<VoiceStatus>
 
-    /** What it is to be given words in: the phone's language where there are words and an engine for it, else English. */
+    /** What it is to be given words in: the wanted language where there are words and an engine for it, else English. */
     val language: StateFlow<Language>
+
+    /** Speaks a language from now on if it can; null for the phone's own. */
+    fun speakIn(language: Language?)
 
     /** Returns when the line has been spoken or given up; cancelling it silences it at once. */
     suspend fun speak(text: String): Outcome

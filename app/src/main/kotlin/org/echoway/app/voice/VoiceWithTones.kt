@@ -15,6 +15,8 @@ class VoiceWithTones(private val speech: Voice, private val tones: Tones) : Voic
     override val status: StateFlow<VoiceStatus> get() = speech.status
     override val language: StateFlow<Language> get() = speech.language
 
+    override fun speakIn(language: Language?) = speech.speakIn(language)
+
     override suspend fun speak(text: String): Outcome {
         if (status.first { it != VoiceStatus.STARTING } != VoiceStatus.NO_ENGINE) return speech.speak(text)
         tones.play()

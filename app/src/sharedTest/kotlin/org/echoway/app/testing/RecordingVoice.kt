@@ -15,6 +15,10 @@ class RecordingVoice(private val clock: Clock) : Voice {
 
     override val status = MutableStateFlow(VoiceStatus.READY)
     override val language = MutableStateFlow(Language.ENGLISH)
+    override fun speakIn(language: Language?) {
+        this.language.value = language ?: Language.ENGLISH
+    }
+
     val heard = mutableListOf<Heard>()
     val words get() = heard.map { it.text }
 

@@ -142,13 +142,13 @@ class GuideTest {
     @Test fun enteringIsHeardUnlessBrief() = walking {
         happens(room)
         assertEquals(listOf("Room 4, Seminar room."), heard())
-        runBlockingUpdate { it.copy(verbosity = Verbosity.BRIEF) }
+        choose { it.copy(verbosity = Verbosity.BRIEF) }
         wait(15.0)
         happens(told(CueKind.ENTERING, "Room 1, Office."))
         assertEquals(emptyList<String>(), heard())
     }
 
-    private fun Situation.runBlockingUpdate(change: (Settings) -> Settings) {
+    private fun Situation.choose(change: (Settings) -> Settings) {
         settings.settings.value = change(settings.settings.value)
         scope.runCurrent()
     }
@@ -246,8 +246,7 @@ class GuideTest {
 
     @Test fun cuesAreWordedAsTheWearerWants() = walking(Settings(directions = DirectionStyle.CLOCK, lengths = LengthStyle.METRES)) {
         assertEquals(SpeechStyle(Language.ENGLISH, DirectionStyle.CLOCK, LengthStyle.METRES), core.style)
-        voice.language.value = Language.FRENCH
-        scope.runCurrent()
+        choose { it.copy(language = Language.FRENCH) }
         assertEquals(Language.FRENCH, core.style?.language)
         guide.ask(Ask.MUTE)
         assertEquals(listOf("Muet. Les dangers sont encore annoncés."), heard())
@@ -273,6 +272,13 @@ class GuideTest {
         assertEquals(Touch.ROOM_ENTERED, felt(room))
         assertEquals(Touch.ROOM_ENTERED, felt(told(CueKind.FOUND, "Room 4 again.")))
         assertEquals("a small correction is only spoken", null, felt(told(CueKind.BEAR, "Bear left.", 25.0)))
+    }
+
+    @Test fun withoutVibrationNothingIsFelt() = walking(Settings(vibration = false)) {
+        happens(turn, unsure)
+        state { it.copy(obstacleM = 0.5) }
+        wait(3.0)
+        assertEquals(emptyList<Touch>(), buzzer.felt)
     }
 
     @Test fun ticksQuickenAsSomethingComesNearerAndEndWithIt() = walking {

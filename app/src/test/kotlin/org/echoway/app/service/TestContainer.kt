@@ -11,6 +11,8 @@ import org.echoway.app.ContainerOwner
 import org.echoway.app.belt.BeltSource
 import org.echoway.app.building.BuildingLibrary
 import org.echoway.app.building.BundledBuildings
+import org.echoway.app.control.Lookout
+import org.echoway.app.control.Presence
 import org.echoway.app.engine.Navigator
 import org.echoway.app.guide.Guide
 import org.echoway.app.guide.SpeechQueue
@@ -21,6 +23,7 @@ import org.echoway.app.settings.Settings
 import org.echoway.app.settings.SourceKind
 import org.echoway.app.testing.MemorySettings
 import org.echoway.app.testing.RecordingBuzzer
+import org.echoway.app.testing.RecordingSiren
 import org.echoway.app.testing.RecordingVoice
 import org.echoway.app.testing.ScriptedBelt
 import kotlinx.coroutines.flow.emptyFlow
@@ -32,13 +35,16 @@ class TestApp : Application(), ContainerOwner {
 
 class TestContainer(context: Context) : AppContainer {
     override val clock = Clock.SYSTEM
-    override val settings = MemorySettings(Settings(building = "torgersen-lab", source = SourceKind.SIMULATED_WALK))
+    override val settings = MemorySettings(Settings(building = "torgersen-lab", source = SourceKind.SIMULATED_WALK, introduced = true))
     override val buildings = BuildingLibrary.on(context, BundledBuildings(context, 1))
     override val navigator = Navigator(Dispatchers.Main, clock)
     override val voice = RecordingVoice(clock)
     override val buzzer = RecordingBuzzer()
     override val speech = SpeechQueue(voice, clock, MainScope())
     override val guide = Guide({ Wording.of(context, it) }, speech, buzzer, navigator)
+    val siren = RecordingSiren()
+    override val lookout = Lookout(siren, clock, guide::tell)
+    override val presence = Presence {}
     override val motion = MotionSource { emptyFlow() }
     override val recordings = Recordings(File(context.filesDir, "recordings"))
     override val cacheDir: File = context.cacheDir

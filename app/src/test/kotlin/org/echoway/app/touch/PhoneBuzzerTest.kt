@@ -30,6 +30,7 @@ class PhoneBuzzerTest {
         Touch.UNSURE to longArrayOf(0, 1200),
         Touch.BELT_LOST to longArrayOf(0, 350, 120, 350, 120, 350),
         Touch.BELT_BACK to longArrayOf(0, 90, 120, 90, 120, 90),
+        Touch.MOVE_NOW to longArrayOf(0, 1200),
     )
 
     @Test fun everyWordIsAWaveformWhereThereAreNoPrimitives() {

@@ -9,12 +9,16 @@ import org.echoway.app.ui.common.Screen
 
 /** Where the menu leads, in its order. */
 private val ENTRIES = listOf(
+    R.string.where_to to Route.Destinations,
     R.string.setup to Route.Setup,
     R.string.buildings to Route.Buildings,
     R.string.belt_view to Route.BeltView,
     R.string.diagnostics to Route.Diagnostics,
     R.string.recordings to Route.Recordings,
     R.string.settings to Route.Settings,
+    R.string.practice to Route.Practice,
+    R.string.firefighter to Route.Firefighter,
+    R.string.introduction to Route.FirstRun,
 )
 
 /** The way to every other screen. */

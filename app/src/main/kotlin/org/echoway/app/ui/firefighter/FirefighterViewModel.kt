@@ -1,0 +1,38 @@
+package org.echoway.app.ui.firefighter
+
+import androidx.lifecycle.ViewModel
+import androidx.lifecycle.viewModelScope
+import kotlinx.coroutines.flow.SharingStarted
+import kotlinx.coroutines.flow.StateFlow
+import kotlinx.coroutines.flow.combine
+import kotlinx.coroutines.flow.stateIn
+import kotlinx.coroutines.launch
+import org.echoway.app.AppContainer
+import org.echoway.app.control.Stillness
+import org.echoway.app.engine.NavigationState
+import org.echoway.app.guide.Ask
+import org.echoway.app.ui.StateWords
+
+/** Firefighter mode: on for as long as its screen was not left, whatever else is shown meanwhile. */
+class FirefighterViewModel(private val container: AppContainer, private val words: StateWords) : ViewModel() {
+    val uiState: StateFlow<FirefighterUiState> =
+        combine(container.navigator.state, container.guide.lastLine, container.lookout.stillness) { state, line, stillness ->
+            FirefighterUiState(words.of(state), line, state is NavigationState.Running, stillness)
+        }.stateIn(viewModelScope, SharingStarted.WhileSubscribed(STOP_AFTER_MS), FirefighterUiState("", "", running = false, Stillness.MOVING))
+
+    fun ask(ask: Ask) = container.guide.ask(ask)
+
+    fun cancelAlarm() = container.lookout.cancel()
+
+    fun enter() = choose(true)
+
+    fun leave() = choose(false)
+
+    private fun choose(on: Boolean) {
+        viewModelScope.launch { container.settings.update { it.copy(firefighter = on) } }
+    }
+
+    private companion object {
+        const val STOP_AFTER_MS = 5_000L
+    }
+}
