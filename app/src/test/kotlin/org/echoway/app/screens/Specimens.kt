@@ -29,7 +29,7 @@ import org.echoway.core.Waypoint
 import org.echoway.core.WaypointKind
 
 /** Every screen of the app. */
-fun specimens(): List<Specimen> = liveSpecimens() + choosingSpecimens() + dataSpecimens()
+fun specimens(): List<Specimen> = liveSpecimens() + choosingSpecimens() + dataSpecimens() + wearerSpecimens()
 
 /** The plan of the Torgersen laboratory, through the core. */
 internal val torgersen: Plan by lazy {

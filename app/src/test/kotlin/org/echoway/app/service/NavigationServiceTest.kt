@@ -2,15 +2,21 @@ package org.echoway.app.service
 
 import android.app.Notification
 import android.app.NotificationManager
+import android.view.View
+import android.widget.FrameLayout
 import androidx.test.core.app.ApplicationProvider
 import androidx.test.ext.junit.runners.AndroidJUnit4
 import java.util.concurrent.TimeUnit
+import org.echoway.app.R
 import org.echoway.app.belt.BeltEvent
 import org.echoway.app.belt.WireSentence
 import org.echoway.app.engine.Line
 import org.echoway.app.engine.NavigationState
+import org.echoway.app.engine.Wish
 import org.echoway.app.guide.Ask
+import org.echoway.app.testing.ScriptedBelt
 import org.echoway.app.touch.Touch
+import org.echoway.core.Destination
 import org.junit.After
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertFalse
@@ -114,6 +120,55 @@ class NavigationServiceTest {
         command(NavigationService.actionOf(Ask.WHERE_AM_I))
         settle(2_000)
         assertEquals("Belt disconnected.", container.voice.words.last())
+    }
+
+    @Test fun everyButtonOfTheNotificationAsks() {
+        command(NavigationService.ACTION_START)
+        awaitRunning()
+        settle()
+        val unfolded = notification().bigContentView.apply(app, FrameLayout(app))
+        fun pressed(id: Int): String? {
+            while (shadowOf(app).nextStartedService != null) Unit
+            unfolded.findViewById<View>(id).performClick()
+            return shadowOf(app).nextStartedService?.action
+        }
+        assertEquals(NavigationService.actionOf(Ask.REPEAT), pressed(R.id.repeat))
+        assertEquals(NavigationService.actionOf(Ask.MUTE), pressed(R.id.mute))
+        assertEquals(NavigationService.actionOf(Ask.WAY_BACK), pressed(R.id.way_back))
+        val actions = notification().actions.map { shadowOf(it.actionIntent).savedIntent.action }
+        assertEquals(
+            listOf(NavigationService.actionOf(Ask.WHERE_AM_I), NavigationService.actionOf(Ask.WAY_OUT), NavigationService.ACTION_STOP),
+            actions,
+        )
+    }
+
+    @Test fun everyAskReachesTheGuide() {
+        command(NavigationService.ACTION_START)
+        awaitRunning()
+        val answers = mapOf(
+            Ask.WHERE_AM_I to "Belt disconnected.",
+            Ask.MUTE to "Muted. Danger is still spoken.",
+            Ask.REPEAT to "Muted. Danger is still spoken.",
+            Ask.WAY_BACK to "No way back yet.",
+            Ask.STOP_LEADING to "No longer leading you.",
+        )
+        answers.forEach { (ask, words) ->
+            command(NavigationService.actionOf(ask))
+            settle(6_000)
+            assertEquals("$ask", words, container.voice.words.last())
+        }
+        command(NavigationService.actionOf(Ask.WAY_OUT))
+        settle(1_000)
+        assertEquals(Wish.LeadTo(Destination.WAY_OUT), awaitRunning().leading)
+    }
+
+    @Test fun startedAgainItTakesOverFromItself() {
+        command(NavigationService.ACTION_START)
+        awaitRunning()
+        container.belt = ScriptedBelt()
+        command(NavigationService.ACTION_START)
+        settle(1_000)
+        awaitRunning()
     }
 
     @Test fun goesOnAfterTheSystemKilledIt() {

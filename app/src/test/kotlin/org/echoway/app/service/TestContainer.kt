@@ -50,7 +50,7 @@ class TestContainer(context: Context) : AppContainer {
     override val cacheDir: File = context.cacheDir
     var belt = ScriptedBelt()
 
-    override fun hasSimulatedWalk(building: String) = true
+    override fun hasSimulatedWalk(building: String) = building == "torgersen-lab"
 
     override fun beltSource(settings: Settings): BeltSource = belt
 }

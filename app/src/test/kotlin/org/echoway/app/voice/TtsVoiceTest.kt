@@ -12,6 +12,7 @@ import kotlinx.coroutines.Deferred
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.ExperimentalCoroutinesApi
 import kotlinx.coroutines.async
+import org.echoway.core.Language
 import org.junit.After
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertFalse
@@ -85,6 +86,32 @@ class TtsVoiceTest {
 
     @Test fun speaksEnglishWhereTheEngineDoesNotKnowTheLanguage() {
         assertEquals(VoiceStatus.OTHER_LANGUAGE, voice(Locale("cy")).status.value)
+    }
+
+    @Test fun speaksTheLanguageThatTheWearerChoseAndEnglishWhereTheEngineLacksIt() {
+        val voice = voice(Locale.US, listOf(Locale.US, Locale.ENGLISH, Locale.GERMAN))
+        fun chosen(language: Language?): Pair<Language, VoiceStatus> {
+            voice.speakIn(language)
+            return voice.language.value to voice.status.value
+        }
+        assertEquals(Language.ENGLISH to VoiceStatus.READY, chosen(null))
+        assertEquals(Language.GERMAN to VoiceStatus.READY, chosen(Language.GERMAN))
+        assertEquals(Locale.GERMAN, engine().currentLanguage)
+        assertEquals(Language.ENGLISH to VoiceStatus.OTHER_LANGUAGE, chosen(Language.FRENCH))
+        assertEquals("English words are spoken by an English voice", "en", engine().currentLanguage.language)
+        assertEquals(Language.ENGLISH to VoiceStatus.READY, chosen(null))
+    }
+
+    @Test fun anEngineForALanguageWithoutWordsSpeaksEnglish() {
+        val voice = voice(Locale.ITALIAN, listOf(Locale.ITALIAN, Locale.ENGLISH))
+        assertEquals(Language.ENGLISH, voice.language.value)
+        assertEquals(VoiceStatus.OTHER_LANGUAGE, voice.status.value)
+        assertEquals("en", engine().currentLanguage.language)
+    }
+
+    @Test fun theAccentIsThePhones() {
+        voice(Locale.forLanguageTag("de-AT"), listOf(Locale.forLanguageTag("de-AT"), Locale.GERMAN, Locale.ENGLISH)).speakIn(Language.GERMAN)
+        assertEquals("AT", engine().currentLanguage.country)
     }
 
     @Test fun withoutAnEngineAToneSoundsInstead() {

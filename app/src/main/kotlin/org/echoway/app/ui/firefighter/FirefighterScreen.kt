@@ -9,6 +9,8 @@ import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.safeDrawingPadding
 import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.text.BasicText
+import androidx.compose.foundation.text.TextAutoSize
 import androidx.compose.material3.Button
 import androidx.compose.material3.ButtonDefaults
 import androidx.compose.material3.MaterialTheme
@@ -24,6 +26,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
 import org.echoway.app.R
 import org.echoway.app.control.Stillness
 import org.echoway.app.guide.Ask
@@ -62,7 +65,7 @@ fun FirefighterScreen(state: FirefighterUiState, actions: FirefighterActions) = 
             Text(
                 stringResource(R.string.not_a_pass),
                 Modifier.fillMaxWidth(),
-                style = MaterialTheme.typography.bodyLarge,
+                style = MaterialTheme.typography.bodyMedium,
                 textAlign = TextAlign.Center,
             )
             Action(stringResource(R.string.firefighter_leave), onClick = actions.onLeave)
@@ -98,9 +101,15 @@ private fun ColumnScope.GloveButton(text: String, onClick: () -> Unit) {
         shape = RoundedCornerShape(16.dp),
         colors = ButtonDefaults.buttonColors(containerColor = MaterialTheme.colorScheme.primary, contentColor = Color.Black),
     ) {
-        Text(text, style = MaterialTheme.typography.displaySmall, textAlign = TextAlign.Center)
+        // As large as it fits: large letters of a wearer who asks for them must not be cut.
+        BasicText(
+            text,
+            style = MaterialTheme.typography.displaySmall.copy(color = Color.Black, textAlign = TextAlign.Center),
+            autoSize = TextAutoSize.StepBased(SMALLEST, MaterialTheme.typography.displaySmall.fontSize),
+        )
     }
 }
 
 /** The breadth of a gloved palm. */
 private val GLOVE = 96.dp
+private val SMALLEST = 16.sp

@@ -2,7 +2,7 @@ package org.echoway.app.ui.firstrun
 
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
@@ -36,17 +36,18 @@ fun FirstRunScreen(step: FirstRunStep, actions: FirstRunActions) {
     Surface(Modifier.fillMaxSize()) {
         Column(Modifier.safeDrawingPadding().padding(16.dp), Arrangement.spacedBy(12.dp)) {
             Column(Modifier.weight(1f).verticalScroll(rememberScrollState()), Arrangement.spacedBy(12.dp)) {
+                Heading(stringResource(step.title))
                 Text(
                     stringResource(R.string.intro_step, step.ordinal + 1, FirstRunStep.entries.size),
                     style = MaterialTheme.typography.titleMedium,
                 )
-                Heading(stringResource(step.title))
                 Text(stringResource(step.words), style = MaterialTheme.typography.bodyLarge)
             }
-            Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp)) {
-                Action(stringResource(R.string.intro_again), Modifier.weight(1f), onClick = actions.onAgain)
-                if (step.ordinal > 0) Action(stringResource(R.string.intro_back), Modifier.weight(1f), onClick = actions.onBack)
-                Action(stringResource(R.string.intro_skip), Modifier.weight(1f), onClick = actions.onSkip)
+            // Side by side where their words fit, below each other where they are large.
+            FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp), Arrangement.spacedBy(8.dp)) {
+                Action(stringResource(R.string.intro_again), Modifier, onClick = actions.onAgain)
+                if (step.ordinal > 0) Action(stringResource(R.string.intro_back), Modifier, onClick = actions.onBack)
+                Action(stringResource(R.string.intro_skip), Modifier, onClick = actions.onSkip)
             }
             if (step == FirstRunStep.PRACTICE) {
                 BigButton(stringResource(R.string.intro_start_practice), onClick = actions.onPractise)
