@@ -23,7 +23,7 @@ internal fun wearerSpecimens() = listOf(
     Specimen("destinations") {
         val groups = listOf(
             group(stringResource(R.string.places), DestinationKind.PLACE, "Front desk, in Room 1, Front office", "Lectern, in Room 4, Seminar room"),
-            group(stringResource(R.string.exits), DestinationKind.EXIT, "East stairs, in Room hall, Hall", "Main entrance, in Room hall, Hall"),
+            group(stringResource(R.string.exits), DestinationKind.EXIT, "East stairs, in Room 7, Hall", "Main entrance, in Room 7, Hall"),
         )
         DestinationsScreen(
             DestinationsUiState.Ready(stringResource(R.string.leading_to, "Lectern"), led = true, groups),
