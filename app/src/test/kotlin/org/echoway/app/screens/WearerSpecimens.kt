@@ -36,7 +36,7 @@ internal fun wearerSpecimens() = listOf(
     firefighter("firefighter", setOf(Variant.LIGHT, Variant.LARGE_TEXT, Variant.GERMAN_LARGE_TEXT, Variant.TABLET), running = true, Stillness.MOVING),
     firefighter("firefighter-alarm", setOf(Variant.LIGHT, Variant.GERMAN_LARGE_TEXT), running = true, Stillness.ALARM),
     firefighter("firefighter-off", LIGHT_ONLY, running = false, Stillness.MOVING),
-    firstRun("first-run-belt", Variant.entries.toSet(), FirstRunStep.BELT),
+    firstRun("first-run-belt", USUAL, FirstRunStep.BELT),
     firstRun("first-run-front", LIGHT_ONLY, FirstRunStep.FRONT),
     firstRun("first-run-practice", setOf(Variant.LIGHT, Variant.GERMAN_LARGE_TEXT), FirstRunStep.PRACTICE),
 )

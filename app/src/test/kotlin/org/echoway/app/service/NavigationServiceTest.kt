@@ -126,6 +126,7 @@ class NavigationServiceTest {
         command(NavigationService.ACTION_START)
         awaitRunning()
         settle()
+        @Suppress("DEPRECATION") // for who builds it; who shows it reads it there
         val unfolded = notification().bigContentView.apply(app, FrameLayout(app))
         fun pressed(id: Int): String? {
             while (shadowOf(app).nextStartedService != null) Unit
