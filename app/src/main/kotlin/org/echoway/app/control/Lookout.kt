@@ -33,10 +33,14 @@ class Lookout(private val siren: Siren, private val clock: Clock, private val te
     val stillness: StateFlow<Stillness> = judged.asStateFlow()
 
     /** Watches while firefighter mode is chosen, until it is cancelled. */
-    suspend fun run(states: StateFlow<NavigationState>, settings: Flow<Settings>) =
+    suspend fun run(states: StateFlow<NavigationState>, settings: Flow<Settings>) {
+        var watching = false
         settings.map { if (it.firefighter) it.notMovedAlertS else 0 }.distinctUntilChanged().collectLatest { seconds ->
-            if (seconds > 0) watchOver(states, seconds.toDouble())
+            if (watching && seconds == 0) tell(Message.WatchEnded)
+            watching = seconds > 0
+            if (watching) watchOver(states, seconds.toDouble())
         }
+    }
 
     /** The wearer, or who found them, ends the alarm. */
     fun cancel() {

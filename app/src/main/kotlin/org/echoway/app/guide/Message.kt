@@ -75,6 +75,9 @@ sealed class Message(val rank: Rank, val topic: String, val validS: Double) {
     /** What firefighter mode is not. */
     data object NotAPass : Message(Rank.ASKED, "firefighter", LASTING_S)
 
+    /** Nobody watches any more: whoever relied on it must know. */
+    data object WatchEnded : Message(Rank.LOST_OR_BROKEN, "firefighter", LASTING_S)
+
     data object StillSoon : Message(Rank.DANGER, "still", ANSWER_S)
 
     data object StillAlarm : Message(Rank.DANGER, "still", LASTING_S)

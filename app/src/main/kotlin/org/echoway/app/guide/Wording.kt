@@ -38,6 +38,7 @@ class Wording(private val resources: Resources) {
         Message.LeadingBack -> text(R.string.say_leading_back)
         Message.LeadingStopped -> text(R.string.say_leading_stopped)
         Message.NotAPass -> text(R.string.not_a_pass)
+        Message.WatchEnded -> text(R.string.watch_ended)
         Message.StillSoon -> text(R.string.still_soon)
         Message.StillAlarm -> text(R.string.still_alarm)
         Message.StillCancelled -> text(R.string.still_cancelled)

@@ -58,7 +58,7 @@ fun EchowayUi(container: AppContainer, setup: SetupViewModel, actions: ActivityA
             ) {
                 guidance(container, actions, open)
                 composable<Route.Menu> { MenuScreen(open, screens::back) }
-                wearerScreens(container, actions, home, screens::back)
+                wearerScreens(container, actions, home, screens::back) { if (screens.previousBackStackEntry != null) screens.popBackStack() else home() }
                 setup(setup, actions, screens::back)
                 buildings(container, open, screens::back)
                 recordings(container, actions.start, open, screens::back)

@@ -1,5 +1,6 @@
 package org.echoway.app.ui
 
+import androidx.activity.compose.BackHandler
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
 import androidx.compose.ui.platform.LocalConfiguration
@@ -28,8 +29,19 @@ internal fun firstScreen(settings: Settings): Route = when {
     else -> Route.Live
 }
 
-/** The screens of voice, touch and controls. [home] shows the live screen and forgets the way there. */
-internal fun NavGraphBuilder.wearerScreens(container: AppContainer, actions: ActivityActions, home: () -> Unit, back: () -> Unit) {
+/**
+ * The screens of voice, touch and controls.
+ *
+ * @param home shows the live screen and forgets the way there
+ * @param leave goes back, or home from the first screen
+ */
+internal fun NavGraphBuilder.wearerScreens(
+    container: AppContainer,
+    actions: ActivityActions,
+    home: () -> Unit,
+    back: () -> Unit,
+    leave: () -> Unit,
+) {
     composable<Route.Destinations> {
         val resources = LocalResources.current
         val model = viewModel(key = LocalConfiguration.current.locales.toLanguageTags()) { DestinationsViewModel(container, resources) }
@@ -37,21 +49,23 @@ internal fun NavGraphBuilder.wearerScreens(container: AppContainer, actions: Act
         DestinationsScreen(state, DestinationsActions(model::leadTo, model::ask, back))
     }
     composable<Route.Practice> { PracticeScreen(container.buzzer.present, container.guide::practise, back) }
-    firefighter(container, actions, home)
+    firefighter(container, actions, leave)
     firstRun(container, actions, home)
 }
 
-private fun NavGraphBuilder.firefighter(container: AppContainer, actions: ActivityActions, home: () -> Unit) {
+private fun NavGraphBuilder.firefighter(container: AppContainer, actions: ActivityActions, leave: () -> Unit) {
     composable<Route.Firefighter> {
         val words = StateWords(LocalResources.current)
         val model = viewModel(key = LocalConfiguration.current.locales.toLanguageTags()) { FirefighterViewModel(container, words) }
         val state by model.uiState.collectAsStateWithLifecycle()
         LaunchedEffect(model) { model.enter() }
-        val leave = {
+        val end = {
             model.leave()
-            home()
+            leave()
         }
-        FirefighterScreen(state, FirefighterActions(model::ask, actions.start, model::cancelAlarm, leave))
+        // Out of sight the mode must not stay on: its keys and its alarm would surprise.
+        BackHandler(onBack = end)
+        FirefighterScreen(state, FirefighterActions(model::ask, actions.start, model::cancelAlarm, end))
     }
 }
 

@@ -106,6 +106,7 @@ class StillnessWatchTest {
         wait(0.5)
         assertFalse(siren.sounding)
         assertEquals(Stillness.MOVING, lookout.stillness.value)
+        assertEquals("who relied on it is told", Message.WatchEnded, told.last().second)
         wait(120.0)
         assertFalse(siren.sounding)
     }

@@ -13,6 +13,7 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performScrollToNode
 import androidx.test.core.app.ActivityScenario
 import androidx.test.core.app.ApplicationProvider
+import androidx.test.espresso.Espresso
 import androidx.test.ext.junit.runners.AndroidJUnit4
 import java.util.concurrent.TimeUnit
 import kotlinx.coroutines.CoroutineScope
@@ -204,6 +205,23 @@ class WearerScreensTest {
         press("Leave firefighter mode")
         assertTrue(!settings.value.firefighter)
         rule.onNodeWithText("Menu").assertIsDisplayed()
+        heard("Firefighter mode off.")
+    }
+
+    @Test fun goingBackLeavesFirefighterModeToo() {
+        launch()
+        press("Menu", "Firefighter mode")
+        Espresso.pressBack()
+        settle()
+        assertTrue(!settings.value.firefighter)
+        assertOn("Menu")
+    }
+
+    @Test fun firefighterModeThatTheAppBeganWithIsLeftForTheLiveScreen() {
+        launch { it.copy(firefighter = true, notMovedAlertS = 0) }
+        press("Leave firefighter mode")
+        assertTrue(!settings.value.firefighter)
+        awaitText("Menu")
     }
 
     @Test fun theAlarmFillsTheScreenAndIsCancelledThere() {

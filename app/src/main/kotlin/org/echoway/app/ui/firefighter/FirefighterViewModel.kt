@@ -13,7 +13,7 @@ import org.echoway.app.engine.NavigationState
 import org.echoway.app.guide.Ask
 import org.echoway.app.ui.StateWords
 
-/** Firefighter mode: on for as long as its screen was not left, whatever else is shown meanwhile. */
+/** Firefighter mode: on until its screen is left, through restarts of the app too. */
 class FirefighterViewModel(private val container: AppContainer, private val words: StateWords) : ViewModel() {
     val uiState: StateFlow<FirefighterUiState> =
         combine(container.navigator.state, container.guide.lastLine, container.lookout.stillness) { state, line, stillness ->
