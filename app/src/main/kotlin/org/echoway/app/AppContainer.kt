@@ -88,7 +88,7 @@ open class PhoneContainer(private val context: Context) : AppContainer {
 
     override val speech by lazy { SpeechQueue(voice, clock, MainScope()) }
 
-    override val guide by lazy { Guide({ Wording.of(context, it) }, speech, buzzer, navigator) }
+    override val guide by lazy { Guide({ Wording.of(context, it) }, speech, buzzer, navigator, clock) }
 
     override val lookout by lazy { Lookout(PhoneSiren(), clock, guide::tell) }
 

@@ -66,7 +66,7 @@ class WalkTest {
         val buzzer = RecordingBuzzer()
         val navigator = Navigator(thread, clock)
         val speech = SpeechQueue(voice, clock, backgroundScope)
-        val walk = Walk(voice, buzzer, navigator, Guide({ Wording.of(context, it) }, speech, buzzer, navigator))
+        val walk = Walk(voice, buzzer, navigator, Guide({ Wording.of(context, it) }, speech, buzzer, navigator, clock))
         val building = BundledBuildings(context, 1).find("torgersen-lab")!!
         val replay = ReplayedBelt(clock) { bundledLog() }
         val belt = object : BeltSource {

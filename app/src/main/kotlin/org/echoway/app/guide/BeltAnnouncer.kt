@@ -11,12 +11,16 @@ val NavigationState.Running.hearsBelt get() = belt.link == BeltLink.CONNECTED &&
 /** Tells of the belt: lost, back, a sensor blocked or clear again, battery low. */
 internal class BeltAnnouncer {
     private var hearing: Boolean? = null
+    private var waitingSinceS: Double? = null
+    private var toldWaiting = false
     private var line = Line.WAITING
     private var troubled = emptySet<Int>()
     private var batteryToldLow = false
 
     fun reset() {
         hearing = null
+        waitingSinceS = null
+        toldWaiting = false
         line = Line.WAITING
         troubled = emptySet()
         batteryToldLow = false
@@ -44,9 +48,18 @@ internal class BeltAnnouncer {
             return if (heardBefore == true) emptyList() else listOf(Message.BeltBack)
         }
         // Not before it was heard once: until then there is nothing to lose.
-        if (heardBefore != true) return emptyList()
+        if (heardBefore == null) return waiting(state)
+        if (!heardBefore) return emptyList()
         hearing = false
         return listOf(Message.BeltLost)
+    }
+
+    /** Whoever starts guidance and hears nothing must not take that for "all is well". */
+    private fun waiting(state: NavigationState.Running): List<Message> {
+        val since = waitingSinceS ?: state.timeS.also { waitingSinceS = it }
+        if (toldWaiting || state.timeS - since < PATIENCE_S || state.line == Line.PERMISSION_MISSING) return emptyList()
+        toldWaiting = true
+        return listOf(Message.WaitingForBelt)
     }
 
     private fun sensorMessages(belt: BeltHealth): List<Message> {
@@ -68,6 +81,9 @@ internal class BeltAnnouncer {
     }
 
     companion object {
+        /** A belt that is plugged in is heard by then. */
+        private const val PATIENCE_S = 3.0
+
         /** More sensors than this at once are one line, not one each. */
         private const val MANY = 2
 

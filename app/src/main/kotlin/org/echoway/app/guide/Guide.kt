@@ -12,13 +12,16 @@ import kotlinx.coroutines.flow.distinctUntilChanged
 import kotlinx.coroutines.flow.first
 import kotlinx.coroutines.flow.map
 import kotlinx.coroutines.launch
+import org.echoway.app.Clock
 import org.echoway.app.engine.Core
 import org.echoway.app.engine.GuidanceEvent
 import org.echoway.app.engine.NavigationState
 import org.echoway.app.engine.Wish
 import org.echoway.app.settings.Settings
 import org.echoway.app.touch.Buzzer
+import org.echoway.app.touch.GAP_MS
 import org.echoway.app.touch.Touch
+import org.echoway.app.touch.durationMs
 import org.echoway.app.touch.tickGapMs
 import org.echoway.core.Destination
 import org.echoway.core.Language
@@ -35,6 +38,7 @@ class Guide(
     private val speech: SpeechQueue,
     private val buzzer: Buzzer,
     private val core: Core,
+    private val clock: Clock,
 ) : Asking {
     private val announcer = Announcer()
     private val told = MutableStateFlow("")
@@ -43,6 +47,7 @@ class Guide(
     private var preferences = RoutePreferences()
     private var wording = wordings(speech.language.value)
     private var vibrates = true
+    private var wordUntilS = Double.NEGATIVE_INFINITY
     private var running = false
 
     /** The newest line in words, for the screen and for phones that cannot speak. */
@@ -134,14 +139,17 @@ class Guide(
         speech.say(words, message)
     }
 
+    /** One motor: ticks make way until the word is over. */
     private fun feel(touch: Touch) {
-        if (vibrates) buzzer.play(touch)
+        if (!vibrates) return
+        buzzer.play(touch)
+        wordUntilS = clock.nowS() + (touch.durationMs + GAP_MS) / 1000.0
     }
 
     /** Ticks that quicken as the thing in the way comes nearer. */
     private suspend fun tick(distanceM: Double) {
         while (true) {
-            feel(Touch.SOMETHING_AHEAD)
+            if (vibrates && clock.nowS() >= wordUntilS) buzzer.play(Touch.SOMETHING_AHEAD)
             delay(tickGapMs(distanceM))
         }
     }

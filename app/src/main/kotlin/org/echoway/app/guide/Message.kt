@@ -35,6 +35,9 @@ sealed class Message(val rank: Rank, val topic: String, val validS: Double) {
 
     data object BeltLost : Message(Rank.LOST_OR_BROKEN, "belt", LASTING_S)
 
+    /** Guidance began and nothing is on the line. */
+    data object WaitingForBelt : Message(Rank.LOST_OR_BROKEN, "belt", LASTING_S)
+
     data object BeltBack : Message(Rank.LOST_OR_BROKEN, "belt", ROUTINE_S)
 
     data object BeltNotAllowed : Message(Rank.LOST_OR_BROKEN, "belt", LASTING_S)
@@ -50,6 +53,9 @@ sealed class Message(val rank: Rank, val topic: String, val validS: Double) {
     data object BatteryLow : Message(Rank.LOST_OR_BROKEN, "battery", LASTING_S)
 
     data class CannotStart(val reason: String) : Message(Rank.LOST_OR_BROKEN, "start", LASTING_S)
+
+    /** The wearer, or a hand in a pocket, ended guidance. */
+    data object Stopped : Message(Rank.LOST_OR_BROKEN, "start", ROUTINE_S)
 
     data object NoVibration : Message(Rank.LOST_OR_BROKEN, "vibration", LASTING_S)
 

@@ -20,6 +20,8 @@ class Wording(private val resources: Resources) {
     fun words(message: Message): String = when (message) {
         is Message.Told -> message.cue.words
         Message.BeltLost -> text(R.string.say_belt_lost)
+        Message.WaitingForBelt -> text(R.string.state_waiting)
+        Message.Stopped -> text(R.string.say_not_running)
         Message.BeltBack -> text(R.string.say_belt_back)
         Message.BeltNotAllowed -> text(R.string.say_belt_not_allowed)
         Message.RecordingOver -> text(R.string.say_recording_over)

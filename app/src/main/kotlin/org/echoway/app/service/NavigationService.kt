@@ -23,10 +23,12 @@ import org.echoway.app.container
 import org.echoway.app.control.MediaControls
 import org.echoway.app.engine.NavigationState
 import org.echoway.app.guide.Ask
+import org.echoway.app.guide.Message
 import org.echoway.app.guide.hearsBelt
 import org.echoway.app.recording.RecordingSwitch
 import org.echoway.app.settings.Settings
 import org.echoway.app.settings.SourceKind
+import org.echoway.app.settings.inLanguage
 
 /**
  * Keeps navigation alive with the screen off. Thin: it starts and stops the parts, shows the notification and holds the
@@ -61,6 +63,7 @@ class NavigationService : LifecycleService() {
             stopSelf()
             return
         }
+        notification = NavigationNotification(this, settings.language)
         if (!enterForeground(settings.source)) {
             stopSelf()
             return
@@ -80,7 +83,7 @@ class NavigationService : LifecycleService() {
         launch { states.collect { wakeLock.update(it is NavigationState.Running && it.hearsBelt) } }
         val building = settings.building?.let { container.buildings.find(it) }
         if (building == null) {
-            notification.show(getString(R.string.state_no_building))
+            notification.show(inLanguage(settings.language).getString(R.string.state_no_building))
             return@coroutineScope
         }
         val start = startAt(building.plan, settings.entrance)
@@ -114,6 +117,8 @@ class NavigationService : LifecycleService() {
     }
 
     private fun stopNavigation() {
+        // Silence would go on meaning that all is well.
+        if (navigation?.isActive == true) container.guide.tell(Message.Stopped)
         navigation?.cancel()
         lifecycleScope.launch {
             container.settings.update { it.copy(navigating = false) }

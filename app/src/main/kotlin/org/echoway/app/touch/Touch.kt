@@ -52,6 +52,9 @@ val Touch.pulses: List<Pulse>
         Touch.MOVE_NOW -> listOf(Pulse(Length.VERY_LONG, Strength.STRONG))
     }
 
+/** How long a word takes to be felt, milliseconds. */
+val Touch.durationMs: Long get() = pulses.sumOf { it.length.ms } + GAP_MS * (pulses.size - 1)
+
 /** From one tick to the next, milliseconds: twelve a second at arm's length, two a second at two and a half metres. */
 fun tickGapMs(distanceM: Double): Long = (distanceM * TICK_MS_PER_M).toLong().coerceIn(FASTEST_TICK_MS, SLOWEST_TICK_MS)
 

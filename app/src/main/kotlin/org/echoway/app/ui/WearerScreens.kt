@@ -1,9 +1,12 @@
 package org.echoway.app.ui
 
+import android.content.Context
+import android.view.accessibility.AccessibilityManager
 import androidx.activity.compose.BackHandler
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
 import androidx.compose.ui.platform.LocalConfiguration
+import androidx.compose.ui.platform.LocalContext
 import androidx.compose.ui.platform.LocalResources
 import androidx.lifecycle.compose.collectAsStateWithLifecycle
 import androidx.lifecycle.viewmodel.compose.viewModel
@@ -69,10 +72,19 @@ private fun NavGraphBuilder.firefighter(container: AppContainer, actions: Activi
     }
 }
 
+/** What TalkBack needs to say which screen this is. */
+private fun readerFirstMs(context: Context): Long {
+    val touchExploration = context.getSystemService(AccessibilityManager::class.java).isTouchExplorationEnabled
+    return if (touchExploration) READER_FIRST_MS else 0L
+}
+
+private const val READER_FIRST_MS = 2500L
+
 private fun NavGraphBuilder.firstRun(container: AppContainer, actions: ActivityActions, home: () -> Unit) {
     composable<Route.FirstRun> {
         val resources = LocalResources.current
-        val model = viewModel { FirstRunViewModel(container, resources) }
+        val context = LocalContext.current
+        val model = viewModel { FirstRunViewModel(container, resources, readerFirstMs(context)) }
         val step by model.step.collectAsStateWithLifecycle()
         val practise = {
             actions.start()

@@ -44,8 +44,10 @@ class AnnouncerTest {
         assertEquals(listOf(Message.BeltLost), told(inOffice, 5.0, line = Line.GONE))
     }
 
-    @Test fun silenceBeforeTheFirstBeltIsNotALoss() {
-        assertEquals(emptyList<Message>(), told(inOffice, 5.0, BeltHealth.NONE, Line.WAITING))
+    @Test fun silenceBeforeTheFirstBeltIsNoLossButIsSaidOnce() {
+        assertEquals(emptyList<Message>(), told(inOffice, 2.5, BeltHealth.NONE, Line.WAITING))
+        assertEquals(listOf(Message.WaitingForBelt), told(inOffice, 60.0, BeltHealth.NONE, Line.WAITING))
+        assertEquals(listOf(Message.BeltBack), told(inOffice, 5.0))
     }
 
     @Test fun aBlockedSensorIsToldAndToldAgainWhenClear() {

@@ -57,7 +57,8 @@ class GuideTest {
         val settings = MemorySettings(settings)
         private val states = MutableStateFlow<NavigationState>(NavigationState.Idle)
         private val events = MutableSharedFlow<GuidanceEvent>(extraBufferCapacity = 64)
-        val guide = Guide({ Wording.of(context, it) }, SpeechQueue(voice, VirtualClock(scope.testScheduler), scope.backgroundScope), buzzer, core)
+        private val clock = VirtualClock(scope.testScheduler)
+        val guide = Guide({ Wording.of(context, it) }, SpeechQueue(voice, clock, scope.backgroundScope), buzzer, core, clock)
 
         init {
             scope.backgroundScope.launch { guide.run(states, events, this@Situation.settings.settings) }
@@ -298,6 +299,17 @@ class GuideTest {
         assertEquals(emptyList<Touch>(), buzzer.felt)
     }
 
+    @Test fun ticksMakeWayForAWordUntilItIsOver() = walking {
+        state { it.copy(obstacleM = 0.4) }
+        wait(1.0)
+        buzzer.felt.clear()
+        happens(turn)
+        wait(0.6)
+        assertEquals("long, short takes half a second", listOf(Touch.LEFT), buzzer.felt)
+        wait(1.0)
+        assertTrue(buzzer.felt.count { it == Touch.SOMETHING_AHEAD } > 5)
+    }
+
     @Test fun ticksStopWhenTheBeltIsLost() = walking {
         state { it.copy(obstacleM = 0.5) }
         wait(1.0)
@@ -310,7 +322,7 @@ class GuideTest {
     @Test fun aPhoneThatCannotVibrateSaysSoOnce() = runTest {
         val clock = VirtualClock(testScheduler)
         val voice = RecordingVoice(clock)
-        val guide = Guide({ Wording.of(context, it) }, SpeechQueue(voice, clock, backgroundScope), RecordingBuzzer(present = false), RecordingCore())
+        val guide = Guide({ Wording.of(context, it) }, SpeechQueue(voice, clock, backgroundScope), RecordingBuzzer(present = false), RecordingCore(), clock)
         backgroundScope.launch { guide.run(MutableStateFlow(NavigationState.Idle), MutableSharedFlow(), MutableStateFlow(Settings())) }
         advanceTimeBy(5_000)
         assertEquals(listOf("This phone cannot vibrate."), voice.words)

@@ -25,6 +25,8 @@ class WordingTest {
         Message.Told(SampleCues.cue(CueKind.TURN, "Turn left.")) to "Turn left.",
         Message.BeltLost to "Belt disconnected.",
         Message.BeltBack to "Belt connected.",
+        Message.WaitingForBelt to "Waiting for the belt.",
+        Message.Stopped to "Guidance is off.",
         Message.BeltNotAllowed to "Belt found. Allow its use on screen.",
         Message.RecordingOver to "The recorded walk is over.",
         Message.SensorBlocked(Side.FRONT_LEFT, 1) to "Front left sensor blocked.",

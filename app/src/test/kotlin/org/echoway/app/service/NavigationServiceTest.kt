@@ -17,6 +17,7 @@ import org.echoway.app.guide.Ask
 import org.echoway.app.testing.ScriptedBelt
 import org.echoway.app.touch.Touch
 import org.echoway.core.Destination
+import org.echoway.core.Language
 import org.junit.After
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertFalse
@@ -146,6 +147,8 @@ class NavigationServiceTest {
     @Test fun everyAskReachesTheGuide() {
         command(NavigationService.ACTION_START)
         awaitRunning()
+        settle(6_000)
+        assertEquals("Waiting for the belt.", container.voice.words.last())
         val answers = mapOf(
             Ask.WHERE_AM_I to "Belt disconnected.",
             Ask.MUTE to "Muted. Danger is still spoken.",
@@ -183,6 +186,23 @@ class NavigationServiceTest {
         settle(1_000)
         assertTrue(shadowOf(service.get()).isStoppedBySelf)
         assertEquals(NavigationState.Idle, container.navigator.state.value)
+    }
+
+    @Test fun theNotificationIsInTheChosenLanguage() {
+        container.settings.settings.value = container.settings.settings.value.copy(language = Language.FRENCH)
+        command(NavigationService.ACTION_START)
+        awaitRunning()
+        settle()
+        assertEquals("En attente de la ceinture.", text())
+        assertEquals(listOf("Où suis-je ?", "Vers la sortie", "Arrêter"), notification().actions.map { it.title.toString() })
+    }
+
+    @Test fun theEndOfGuidanceIsHeard() {
+        command(NavigationService.ACTION_START)
+        awaitRunning()
+        command(NavigationService.ACTION_STOP)
+        settle(3_000)
+        assertEquals("Guidance is off.", container.voice.words.last())
     }
 
     @Test fun stopEndsGuidanceForGood() {

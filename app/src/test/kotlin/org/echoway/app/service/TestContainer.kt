@@ -41,7 +41,7 @@ class TestContainer(context: Context) : AppContainer {
     override val voice = RecordingVoice(clock)
     override val buzzer = RecordingBuzzer()
     override val speech = SpeechQueue(voice, clock, MainScope())
-    override val guide = Guide({ Wording.of(context, it) }, speech, buzzer, navigator)
+    override val guide = Guide({ Wording.of(context, it) }, speech, buzzer, navigator, clock)
     val siren = RecordingSiren()
     override val lookout = Lookout(siren, clock, guide::tell)
     override val presence = Presence {}

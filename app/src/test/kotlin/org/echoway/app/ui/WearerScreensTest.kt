@@ -2,6 +2,7 @@ package org.echoway.app.ui
 
 import android.Manifest
 import android.view.KeyEvent
+import android.view.accessibility.AccessibilityManager
 import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.assertIsNotEnabled
 import androidx.compose.ui.test.hasScrollAction
@@ -156,6 +157,14 @@ class WearerScreensTest {
         awaitText("Start")
         settle(5_000)
         assertTrue("the voice stops with it", !container.voice.heard.last().whole)
+    }
+
+    @Test fun aScreenReaderSpeaksFirst() {
+        shadowOf(app.getSystemService(AccessibilityManager::class.java)).setTouchExplorationEnabled(true)
+        val before = container.clock.nowS()
+        launch { it.copy(introduced = false) }
+        heard("Welcome to Echoway.")
+        assertTrue(container.voice.heard.first().timeS - before >= 2.5)
     }
 
     @Test fun whoWasIntroducedIsNotAgain() {

@@ -3,6 +3,8 @@ package org.echoway.app.ui.firstrun
 import android.content.res.Resources
 import androidx.lifecycle.ViewModel
 import androidx.lifecycle.viewModelScope
+import kotlinx.coroutines.Job
+import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.MutableStateFlow
 import kotlinx.coroutines.flow.StateFlow
 import kotlinx.coroutines.flow.asStateFlow
@@ -18,8 +20,17 @@ enum class FirstRunStep(val title: Int, val words: Int) {
     PRACTICE(R.string.intro_practice_title, R.string.intro_practice),
 }
 
-/** Explains itself aloud, step by step; every step can be heard again, and all can be skipped. */
-class FirstRunViewModel(private val container: AppContainer, private val resources: Resources) : ViewModel() {
+/**
+ * Explains itself aloud, step by step; every step can be heard again, and all can be skipped.
+ *
+ * @param readerFirstMs how long a screen reader speaks first, when a step comes up; 0 without one
+ */
+class FirstRunViewModel(
+    private val container: AppContainer,
+    private val resources: Resources,
+    private val readerFirstMs: Long = 0,
+) : ViewModel() {
+    private var explaining: Job? = null
     private val shown = MutableStateFlow(FirstRunStep.BELT)
     val step: StateFlow<FirstRunStep> = shown.asStateFlow()
 
@@ -47,6 +58,7 @@ class FirstRunViewModel(private val container: AppContainer, private val resourc
     }
 
     private fun finish(then: () -> Unit) {
+        explaining?.cancel()
         container.guide.hush()
         viewModelScope.launch {
             container.settings.update { it.copy(introduced = true) }
@@ -59,5 +71,12 @@ class FirstRunViewModel(private val container: AppContainer, private val resourc
         again()
     }
 
-    private fun say(vararg lines: String) = container.guide.explain(lines.joinToString(" "))
+    private fun say(vararg lines: String) {
+        explaining?.cancel()
+        container.guide.hush()
+        explaining = viewModelScope.launch {
+            delay(readerFirstMs)
+            container.guide.explain(lines.joinToString(" "))
+        }
+    }
 }
