@@ -76,7 +76,7 @@ fun LevelMap(
 @Composable
 private fun MapCanvas(drawing: LevelDrawing, marks: MapMarks, mark: WearerMark?, here: Int?, view: MapView, sentence: String) {
     val colours = MapColours.of(MaterialTheme.colorScheme)
-    val measurer = rememberTextMeasurer()
+    val measurer = rememberTextMeasurer(LABELS_KEPT)
     val style = MaterialTheme.typography.labelMedium
     Canvas(
         Modifier.fillMaxSize().semantics {
@@ -103,10 +103,10 @@ private fun RoomNodes(drawing: LevelDrawing, view: MapView, canvas: Size, from: 
     Layout(
         content = {
             seen.forEachIndexed { order, (room, _) ->
-                val said = words(room.index)
                 Box(
                     Modifier.semantics {
-                        contentDescription = said
+                        // Put into words only when something asks.
+                        contentDescription = words(room.index)
                         traversalIndex = order.toFloat()
                     },
                 )
@@ -131,4 +131,6 @@ private fun DrawnRoom.seen(view: MapView, canvas: Size): Rect? {
     return box.intersect(Rect(0f, 0f, canvas.width, canvas.height)).takeIf { it.width > 0 && it.height > 0 }
 }
 
+/** More than the rooms of a large level have names and numbers. */
+private const val LABELS_KEPT = 256
 private val MARGIN = 16.dp

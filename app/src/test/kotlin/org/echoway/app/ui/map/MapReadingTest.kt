@@ -9,6 +9,7 @@ import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.test.ext.junit.runners.AndroidJUnit4
+import java.io.File
 import org.echoway.app.engine.Picture
 import org.echoway.app.screens.spokenLines
 import org.echoway.app.screens.torgersen
@@ -54,6 +55,13 @@ class MapReadingTest {
             ),
             rule.spokenLines().take(4),
         )
+    }
+
+    @Test fun theLaboratoryAsDocumented() {
+        val four = torgersen.rooms.indexOfFirst { it.id == "4" }
+        show(LiveUiState.On(torgersen.name, torgersen, "Room 4, Seminar room.", "", SamplePlan.estimate(four, 2.4, 2.6), 3, voiceMissing = false, permissionMissing = false))
+        val page = File(System.getProperty("echoway.root")!!, "docs/screens.md").readText().replace(Regex("\\s+"), " ")
+        for (line in rule.spokenLines().subList(1, 5)) assertTrue("docs/screens.md does not have: $line", line in page)
     }
 
     @Test fun theWayAheadIsPartOfTheSentence() {

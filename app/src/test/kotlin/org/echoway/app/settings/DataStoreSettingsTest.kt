@@ -1,0 +1,69 @@
+package org.echoway.app.settings
+
+import androidx.datastore.core.DataStore
+import androidx.datastore.preferences.core.PreferenceDataStoreFactory
+import androidx.datastore.preferences.core.Preferences
+import androidx.datastore.preferences.core.edit
+import androidx.datastore.preferences.core.stringPreferencesKey
+import androidx.test.ext.junit.runners.AndroidJUnit4
+import app.cash.turbine.test
+import java.io.File
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.Job
+import kotlinx.coroutines.cancelAndJoin
+import kotlinx.coroutines.flow.first
+import kotlinx.coroutines.runBlocking
+import org.echoway.core.DirectionStyle
+import org.echoway.core.Language
+import org.echoway.core.LengthStyle
+import org.junit.Assert.assertEquals
+import org.junit.Rule
+import org.junit.Test
+import org.junit.rules.TemporaryFolder
+import org.junit.runner.RunWith
+
+@RunWith(AndroidJUnit4::class)
+class DataStoreSettingsTest {
+    @get:Rule val temporary = TemporaryFolder()
+
+    private val file by lazy { File(temporary.root, "settings.preferences_pb") }
+
+    /** As one life of the app's process has it. */
+    private fun <T> alive(work: suspend (DataStoreSettings, DataStore<Preferences>) -> T): T = runBlocking {
+        val job = Job()
+        val store = PreferenceDataStoreFactory.create(scope = CoroutineScope(Dispatchers.IO + job)) { file }
+        work(DataStoreSettings(store), store).also { job.cancelAndJoin() }
+    }
+
+    private val unusual = Settings(
+        building = "torgersen-lab", entrance = "Main entrance", source = SourceKind.RECORDING, recording = "a.scans.csv", navigating = true,
+        service = ServiceModel.ON_REQUEST, verbosity = Verbosity.FULL, directions = DirectionStyle.CLOCK, lengths = LengthStyle.METRES,
+        avoidStairs = true, firefighter = true, notMovedAlertS = 60, language = Language.FRENCH, theme = ThemeChoice.SMOKE,
+        vibration = false, motion = false, volumeKeys = false, record = true, introduced = true,
+    )
+
+    @Test fun everythingOutlivesTheProcess() {
+        val usual = Settings()
+        val properties = Settings::class.java.declaredFields.filter { !java.lang.reflect.Modifier.isStatic(it.modifiers) }.onEach { it.isAccessible = true }
+        assertEquals("all differ from what is usual", emptyList<String>(), properties.filter { it[usual] == it[unusual] }.map { it.name })
+        alive { settings, _ -> settings.update { unusual } }
+        assertEquals(unusual, alive { settings, _ -> settings.settings.first() })
+        alive { settings, _ -> settings.update { usual } }
+        assertEquals(usual, alive { settings, _ -> settings.settings.first() })
+    }
+
+    @Test fun whatAnotherVersionWroteFallsBackToWhatIsUsual() {
+        alive { _, store -> store.edit { it[stringPreferencesKey("theme")] = "SEPIA" } }
+        assertEquals(Settings(), alive { settings, _ -> settings.settings.first() })
+    }
+
+    @Test fun aChangeIsSeenAtOnce() = alive { settings, _ ->
+        settings.settings.test {
+            assertEquals(Settings(), awaitItem())
+            settings.update { it.copy(lengths = LengthStyle.STEPS) }
+            assertEquals(LengthStyle.STEPS, awaitItem().lengths)
+            cancelAndIgnoreRemainingEvents()
+        }
+    }
+}
