@@ -8,6 +8,7 @@ import androidx.test.core.app.ApplicationProvider
 import androidx.test.ext.junit.runners.AndroidJUnit4
 import java.io.File
 import org.echoway.app.R
+import org.echoway.app.testing.forgetSharedFolders
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertThrows
 import org.junit.Assert.assertTrue
@@ -51,6 +52,7 @@ class ManifestTest {
     }
 
     @Test fun onlyRecordingsCanBeShared() {
+        forgetSharedFolders()
         val recording = File(context.filesDir, "recordings/a.scans.csv")
         assertEquals("content://${context.packageName}.files/recordings/a.scans.csv", FileProvider.getUriForFile(context, "${context.packageName}.files", recording).toString())
         val settings = File(context.filesDir, "datastore/settings.preferences_pb")

@@ -5,10 +5,10 @@ import android.content.Intent
 import android.net.Uri
 import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.hasAnyAncestor
+import androidx.compose.ui.test.hasContentDescription
 import androidx.compose.ui.test.hasText
 import androidx.compose.ui.test.isDialog
 import androidx.compose.ui.test.junit4.v2.createAndroidComposeRule
-import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performScrollTo
@@ -23,8 +23,10 @@ import org.echoway.app.MainActivity
 import org.echoway.app.service.NavigationService
 import org.echoway.app.service.TestApp
 import org.echoway.app.settings.SourceKind
+import org.echoway.app.testing.forgetSharedFolders
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertTrue
+import org.junit.Before
 import org.junit.Rule
 import org.junit.Test
 import org.junit.runner.RunWith
@@ -40,6 +42,8 @@ class BringingAndSharingTest {
     private val app = ApplicationProvider.getApplicationContext<TestApp>()
     private val settings get() = app.container.settings.settings
     private val activity get() = shadowOf(rule.activity)
+
+    @Before fun forget() = forgetSharedFolders()
 
     private fun await(words: String) = rule.waitUntil(WAIT_MS) { rule.onAllNodes(hasText(words, substring = true)).fetchSemanticsNodes().isNotEmpty() }
 
@@ -76,7 +80,9 @@ class BringingAndSharingTest {
         assertEquals(Intent.ACTION_OPEN_DOCUMENT, asked.action)
         await("is here, and chosen.")
         assertEquals("building", settings.value.building)
-        rule.onNodeWithContentDescription("Delete: ", substring = true).performScrollTo().performClick()
+        val delete = hasContentDescription("Delete: ", substring = true)
+        rule.waitUntil(WAIT_MS) { rule.onAllNodes(delete).fetchSemanticsNodes().isNotEmpty() }
+        rule.onNode(delete).performScrollTo().performClick()
         rule.onNode(hasText("Delete") and hasAnyAncestor(isDialog())).performClick()
         await("is deleted.")
         assertEquals(null, settings.value.building)
