@@ -50,6 +50,9 @@ sealed class Message(val rank: Rank, val topic: String, val validS: Double) {
 
     data class SensorsBlocked(val count: Int) : Message(Rank.LOST_OR_BROKEN, "sensors", LASTING_S)
 
+    /** The walk is no longer written down. */
+    data class RecordingStopped(val diskFull: Boolean) : Message(Rank.LOST_OR_BROKEN, "recording", LASTING_S)
+
     data object BatteryLow : Message(Rank.LOST_OR_BROKEN, "battery", LASTING_S)
 
     data class CannotStart(val reason: String) : Message(Rank.LOST_OR_BROKEN, "start", LASTING_S)

@@ -28,6 +28,7 @@ class Wording(private val resources: Resources) {
         is Message.SensorBlocked -> text(R.string.say_sensor_blocked, side(message.side))
         is Message.SensorClear -> text(R.string.say_sensor_clear, side(message.side))
         is Message.SensorsBlocked -> plural(R.plurals.say_sensors_blocked, message.count)
+        is Message.RecordingStopped -> text(if (message.diskFull) R.string.say_phone_full else R.string.say_recording_stopped)
         Message.BatteryLow -> text(R.string.say_battery_low)
         is Message.CannotStart -> text(R.string.say_cannot_start, message.reason)
         Message.NoVibration -> text(R.string.say_no_vibration)

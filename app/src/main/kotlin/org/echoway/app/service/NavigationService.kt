@@ -25,6 +25,7 @@ import org.echoway.app.engine.NavigationState
 import org.echoway.app.guide.Ask
 import org.echoway.app.guide.Message
 import org.echoway.app.guide.hearsBelt
+import org.echoway.app.recording.RecordingStatus
 import org.echoway.app.recording.RecordingSwitch
 import org.echoway.app.settings.Settings
 import org.echoway.app.settings.SourceKind
@@ -90,12 +91,17 @@ class NavigationService : LifecycleService() {
         val recording = RecordingSwitch(container.recordings, building)
         // A walk that is replayed is not recorded again.
         if (settings.source != SourceKind.RECORDING) launch { recording.follow(container.settings.settings.map { it.record }) }
+        launch { container.recordings.status.collect(::tellOfRecording) }
         container.navigator.run(building, start, container.beltSource(settings), container.motion, recording)
     }
 
     /** Buttons of headsets, and in firefighter mode the volume keys, for as long as guidance runs. */
     private suspend fun buttons() = MediaControls(this, container.guide, container.clock, container.presence).use { buttons ->
         container.settings.settings.collect { buttons.takesVolumeKeys = it.firefighter }
+    }
+
+    private fun tellOfRecording(status: RecordingStatus) {
+        if (status is RecordingStatus.Failed) container.guide.tell(Message.RecordingStopped(status.diskFull))
     }
 
     /** False when the system does not allow it now; a tap on the app then starts it. */

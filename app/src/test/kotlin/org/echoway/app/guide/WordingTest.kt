@@ -32,6 +32,7 @@ class WordingTest {
         Message.SensorBlocked(Side.FRONT_LEFT, 1) to "Front left sensor blocked.",
         Message.SensorClear(Side.BACK, 7) to "Back sensor clear.",
         Message.SensorsBlocked(4) to "Four sensors blocked.",
+        Message.RecordingStopped(diskFull = true) to "Recording stopped. The phone is full.",
         Message.BatteryLow to "Belt battery low.",
         Message.NoVibration to "This phone cannot vibrate.",
         Message.RoomDetail(1, emptyList()) to "One door.",
