@@ -33,7 +33,7 @@ DRAWN_SEEDS = range(101, 117)
 # The ring's own kind of sensor: a small disc at 40 kHz, whose beam is several times as wide as the belt's. Disc, air and noise
 # are those of common modules; the margin is set so that the share of missing echoes is right.
 RING_SENSOR = ["--world", "frequency_khz=40", "--world", "transducer_radius_mm=6.5", "--world", "absorption_db_per_m=1.2",
-               "--world", "range_noise=0.002", "--world", "timer_tick_us=17.5", "--world", "plane_margin_db=16"]
+               "--world", "range_noise=0.002", "--world", "timer_tick_us=17.5", "--world", "plane_margin_db=20"]
 RING_SPEED = 0.1  # Metres a second: four rounds in the ten minutes of the whole recording.
 BARE = ["--world", "furniture_per_m2=0", "--world", "posts_per_m2=0"]
 ROBOT = ["--world", "arms=0", "--world", "people_per_100m2=0"]

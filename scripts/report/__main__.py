@@ -26,7 +26,7 @@ HEAD = """<!-- Written by `make report`; do not edit. -->
 
 The experiments of the thesis's chapter 6, run afresh with its method and with Echoway's tracker, side by side; then what the thesis
 could not try: what each part of the tracker buys, one nuisance at a time, recovery. `make report` runs all of it from seeds and writes
-this page and its pictures; `make report QUICK=1` takes a fifth of the walks.{quick}
+this page and its pictures; `make report QUICK=1` takes a quarter of the walks.{quick}
 
 - **The world** is the simulator (`docs/simulator.md`), which shares no acoustics with either method. *Bare*: rooms without furniture and
   people; *furnished*: ordinary rooms with what no plan shows. Noise, drop-outs and the wearer's body are in both. The thesis

@@ -68,7 +68,7 @@ def section(tables, out):
 
 {count} random walks of about 80 s at 0.5 m/s, half in the lab, half in random offices, furnished; a mean over walks is made of a few
 that are lost for a while, so mean and median are both given. Parts are withheld from outside: what the tracker is told, and what the
-plan says.
+plan says. What was tried inside it, and at what price, is in `docs/tracker.md`.
 
 {draw(groups, out)}
 

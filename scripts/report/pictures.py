@@ -6,7 +6,7 @@ from style import FEET
 
 BELT_FT = 0.15 / FEET
 ELEMENTS = {"wall": ("s", "#009e73", "simulated: wall"), "corner": ("o", "#cc79a7", "simulated: corner or edge"),
-            "edge": ("o", "#cc79a7", None), "all-reflective": ("^", "#e69f00", "simulated: all-reflective")}
+            "edge": ("o", "#cc79a7", "simulated: corner or edge"), "all-reflective": ("^", "#e69f00", "simulated: all-reflective")}
 
 
 def draw_room(axes, place):

@@ -5,7 +5,7 @@ import numpy as np
 
 from data import feet, group, numbers
 from published import TURN_WITH_15
-from style import METHODS, NAMES, legend_below, save, table
+from style import COMPARED, NAMES, legend_below, save, table
 
 COUNTS = ("8", "12", "15", "24")
 SHARP_TURN = 18
@@ -50,7 +50,7 @@ def section(tables, out):
     walks = len({row["walk"] for row in groups["furnished", "15", "tracker"]})
     rows = []
     for world in ("bare", "furnished"):
-        for method in METHODS:
+        for method in COMPARED:
             rows.append([f"{world}: {NAMES[method]}"] + [
                 f"{np.mean(feet(groups[world, count, method])):.2f} / {np.mean(turns(groups[world, count, method])):.0f}°"
                 for count in COUNTS])

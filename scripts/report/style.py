@@ -11,11 +11,13 @@ DPI = 110
 
 # Colours that stay apart for colour-blind readers (Okabe and Ito).
 METHODS = {
+    "thesis by objective": {"color": "#cc79a7", "label": "thesis's method, rooms by objective"},
     "thesis as printed": {"color": "#e69f00", "label": "thesis's method, (5.1) as printed"},
     "thesis": {"color": "#d55e00", "label": "thesis's method"},
     "tracker without hints": {"color": "#56b4e9", "label": "tracker, echoes alone"},
     "tracker": {"color": "#0072b2", "label": "tracker, with steps and gyroscope"},
 }
+COMPARED = ("thesis as printed", "thesis", "tracker without hints", "tracker")
 PUBLISHED = {"color": "black", "label": "the thesis's own figure"}
 NAMES = {method: look["label"] for method, look in METHODS.items()}
 

@@ -7,12 +7,12 @@
 
 namespace echoway::report {
 
-/// Chapter 6 again, part by part. Each writes tables of its own into the context's folder, the same on every run but for
-/// columns named `..._us`. docs/report says what they show.
+/// Chapter 6 again, part by part. Each writes tables of its own into the context's folder, the same on every run but
+/// for columns named `..._us`. docs/report says what they show.
 struct Experiment {
   std::string_view name;
   std::string_view what;  ///< For the progress line.
-  double cost;            ///< Seconds of one core, about: tells how much of the report is left.
+  double cost;            ///< Seconds of one core in a quick run, about: tells how much of the report is left.
   void (*run)(const Context&);
 };
 

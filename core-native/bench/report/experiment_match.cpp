@@ -43,7 +43,8 @@ void show_case(const Case& c, Table& poses, Table& readings, Table& surface) {
     const thesis::Match match = matcher.match(scan, approximate(c.plan.room(index), c.truth, random));
     const Pose2& p = match.pose;
     poses.add(c.figure, c.room, "true", c.truth.position.x, c.truth.position.y, to_degrees(c.truth.heading), 0.0, 0.0);
-    poses.add(c.figure, c.room, "best", p.position.x, p.position.y, to_degrees(p.heading), match.objective_m, match.quality);
+    poses.add(c.figure, c.room, "best", p.position.x, p.position.y, to_degrees(p.heading), match.objective_m,
+              match.quality);
     add_readings(c.figure, scan, matcher.matcher().model(), p, readings);
   }
 }
@@ -93,8 +94,9 @@ void run_match(const Context& context) {
   Table readings(kReadingColumns);
   Table surface("figure,world,x_m,y_m,objective_m");
   show_case({"6.5", lab, "1", {{feet(8.0), feet(5.0)}, degrees(75.0)}, world_of_room("1")}, poses, readings, surface);
-  show_case({"6.7", sample, "sample", {{feet(12.0), feet(11.0)}, degrees(20.0)}, sim::make_world(sim::Profile::furnished)}, poses,
-            readings, surface);
+  show_case(
+      {"6.7", sample, "sample", {{feet(12.0), feet(11.0)}, degrees(20.0)}, sim::make_world(sim::Profile::furnished)},
+      poses, readings, surface);
   poses.write(context.out / "match-poses.csv");
   readings.write(context.out / "match-readings.csv");
   surface.write(context.out / "match-surface.csv");

@@ -1,6 +1,6 @@
 // How long until a wearer who was carried off blindfold is found again, by building.
-#include "eval/buildings.hpp"
 #include "echoway/sim/random_walk.hpp"
+#include "eval/buildings.hpp"
 #include "experiment.hpp"
 #include "plans.hpp"
 #include "roaming.hpp"
@@ -35,7 +35,9 @@ sim::Walk carried_off(const Building& world, int number) {
 
 // When the wearer was carried off: the one moment at which the truth leaps.
 double leap_of(const Building& world, const sim::Simulation& run) {
-  const auto place = [&](const TruthRow& row) { return world.room(world.find_room(row.room)).frame.transform(row.pose.position); };
+  const auto place = [&](const TruthRow& row) {
+    return world.room(world.find_room(row.room)).frame.transform(row.pose.position);
+  };
   double longest = 0.0;
   double at = 0.0;
   for (std::size_t i = 1; i < run.truth.size(); ++i) {

@@ -51,31 +51,42 @@ double celsius_for(double sound_speed_error) {
 std::vector<Nuisance> nuisances() {
   return {
       {"dead sensors of 15", {0, 1, 2, 4, 6, 8}, kill_sensors},
-      {"drop-outs (%)", {0, 10, 20, 30, 45, 60},
+      {"drop-outs (%)",
+       {0, 10, 20, 30, 45, 60},
        [](Setting& s, double level, int) { s.walk.world.dropout = level / 100.0; }},
-      {"unmapped furniture a square metre", {0, 0.05, 0.1, 0.2, 0.3, 0.45},
+      {"unmapped furniture a square metre",
+       {0, 0.05, 0.1, 0.2, 0.3, 0.45},
        [](Setting& s, double level, int) { s.walk.world.furniture_per_m2 = s.walk.world.posts_per_m2 = level; }},
-      {"people on 100 square metres", {0, 2, 5, 10, 20},
+      {"people on 100 square metres",
+       {0, 2, 5, 10, 20},
        [](Setting& s, double level, int) { s.walk.world.people_per_100m2 = level; }},
-      {"walking speed (m/s)", {0.5, 0.75, 1.0, 1.25, 1.5}, [](Setting&, double, int) {}, [](double level) { return level; }},
-      {"sound speed off (%)", {-4, -2, -1, 0, 1, 2, 4},
+      {"walking speed (m/s)",
+       {0.5, 0.75, 1.0, 1.25, 1.5},
+       [](Setting&, double, int) {},
+       [](double level) { return level; }},
+      {"sound speed off (%)",
+       {-4, -2, -1, 0, 1, 2, 4},
        [](Setting& s, double level, int) {
          s.walk.world.temperature_c = celsius_for(level / 100.0);
          s.walk.world.temperature_gradient_k_per_m = 0.0;
        }},
-      {"walls off (cm)", {0, 2, 5, 10, 20},
+      {"walls off (cm)",
+       {0, 2, 5, 10, 20},
        [](Setting& s, double level, int number) {
          s.plan = walls_off(s.world, level / 100.0, static_cast<std::uint64_t>(number) + 77);
        }},
-      {"a cupboard a room that the plan lacks", {0, 1},
+      {"a cupboard a room that the plan lacks",
+       {0, 1},
        [](Setting& s, double level, int number) {
          if (level > 0.0) s.world = with_cupboards(s.world, static_cast<std::uint64_t>(number) + 5);
        }},
-      {"a cupboard a room that is gone", {0, 1},
+      {"a cupboard a room that is gone",
+       {0, 1},
        [](Setting& s, double level, int number) {
          if (level > 0.0) s.plan = with_cupboards(s.world, static_cast<std::uint64_t>(number) + 5);
        }},
-      {"a partition a room moved (m)", {0, 0.25, 0.5, 1.0},
+      {"a partition a room moved (m)",
+       {0, 0.25, 0.5, 1.0},
        [](Setting& s, double level, int) { s.plan = partitions_moved(s.world, level); }},
   };
 }
@@ -96,8 +107,8 @@ std::string one_walk(const Job& job) {
   for (const Estimator& method : {thesis_method(), tracker(), tracker_without_hints()}) {
     const Track track = follow({setting.world, setting.plan, *run, kReferenceCelsius, setting.walk.seed}, method);
     const Summary s = summarise(track);
-    rows.add(job.nuisance->group, job.level, job.number, method.name, s.mean_m, s.median_m, s.p90_m, to_degrees(s.turn_rad),
-             s.right_room, s.within_2_sigma, track.cpu_us);
+    rows.add(job.nuisance->group, job.level, job.number, method.name, s.mean_m, s.median_m, s.p90_m,
+             to_degrees(s.turn_rad), s.right_room, s.within_2_sigma, track.cpu_us);
   }
   return rows.text();
 }

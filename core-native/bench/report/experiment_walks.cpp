@@ -47,11 +47,11 @@ std::string one_walk(const Case& c, bool bare, int number) {
   const auto add = [&](const Estimator& method, const Fix& fix, std::size_t stop) {
     const Pose2& at = stops[stop].pose;
     const Vec2 on_level = world.room(stops[stop].room).frame.transform(at.position);
-    rows.add(c.figure, bare ? "bare" : "furnished", number, method.name, stop, on_level.x, on_level.y, id_of(world, stops[stop].room),
-             id_of(plan, fix.room), fix.error_m, to_degrees(fix.turn_rad));
+    rows.add(c.figure, bare ? "bare" : "furnished", number, method.name, stop, on_level.x, on_level.y,
+             id_of(world, stops[stop].room), id_of(plan, fix.room), fix.error_m, to_degrees(fix.turn_rad));
   };
   const std::vector<Firing> standing = firings_at(stops, run);
-  for (const Estimator& method : {thesis_method(), thesis_as_printed()}) {
+  for (const Estimator& method : {thesis_method(), thesis_by_objective()}) {
     const Track track = follow(trial, method, standing);
     for (std::size_t i = 0; i < track.fixes.size(); ++i) add(method, track.fixes[i], i);
   }
@@ -83,8 +83,8 @@ std::string rooms_told_apart(const Case& c, bool bare) {
       if (away > own.exit_reach_m + own.movement_m) continue;
       const thesis::Match there = RoomMatcher(plan, exit.to, belt, next_door).match(scan, exit.into.compose(stop.pose));
       rows.add(c.figure, bare ? "bare" : "furnished", id_of(plan, stop.room), id_of(plan, exit.to), away,
-               here.found ? here.objective_m : 1e3, here.found ? here.quality : 1e3, there.found ? there.objective_m : 1e3,
-               there.found ? there.quality : 1e3);
+               here.found ? here.objective_m : 1e3, here.found ? here.quality : 1e3,
+               there.found ? there.objective_m : 1e3, there.found ? there.quality : 1e3);
     }
   }
   return rows.text();
@@ -124,11 +124,10 @@ void show_room_3(const Context& context) {
 }  // namespace
 
 void run_walks(const Context& context) {
-  const int walks = context.repeats(12);
+  const int walks = context.repeats(8);
   const int kinds = static_cast<int>(std::size(kCases));
-  const auto parts = run_all(context, 2 * kinds * walks, [&](int i) {
-    return one_walk(kCases[i / 2 % kinds], i % 2 == 0, i / 2 / kinds);
-  });
+  const auto parts = run_all(context, 2 * kinds * walks,
+                             [&](int i) { return one_walk(kCases[i / 2 % kinds], i % 2 == 0, i / 2 / kinds); });
   Table table("figure,world,walk,method,stop,x_m,y_m,true_room,room,error_m,turn_deg");
   for (const std::string& rows : parts) table.append(rows);
   table.write(context.out / "walks.csv");

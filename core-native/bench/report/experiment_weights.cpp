@@ -14,7 +14,8 @@ const std::vector<double> kWeights{0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0};
 
 std::string one_walk(const Building& room, int number) {
   Table rows;
-  const CircularWalk circular = circular_walk(BeltConfig{}.sensors, sim::Profile::furnished, 600 + static_cast<std::uint64_t>(number));
+  const CircularWalk circular =
+      circular_walk(BeltConfig{}.sensors, sim::Profile::furnished, 600 + static_cast<std::uint64_t>(number));
   const sim::Simulation run = walk_through(room, circular.walk);
   const std::vector<Stop> stops = find_stops(room, run);
   for (Estimator method : {thesis_method(), thesis_as_printed()}) {
@@ -42,8 +43,8 @@ thesis::Match match_with(double weight, const Building& room, const CircularWalk
   return RoomMatcher(room, 0, circular.walk.belt, parameters).match(scan, start);
 }
 
-// One place where the weights matter, chosen as the thesis chose its own: among all stops, the one at which equal weights
-// lose most against two to one.
+// One place where the weights matter, chosen as the thesis chose its own: among all stops, the one at which equal
+// weights lose most against two to one.
 void show_one_place(const Context& context, const Building& room) {
   struct Case {
     double loss = 0.0;

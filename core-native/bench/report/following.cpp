@@ -56,7 +56,8 @@ const TruthRow& truth_at(const sim::Simulation& walk, double time_s) {
 
 Fix compare(const Trial& trial, const Estimate& estimate, double time_s) {
   const TruthRow& truth = truth_at(trial.walk, time_s);
-  Fix fix{time_s, estimate.room, trial.world.find_room(truth.room), Fix::kNowhere, kPi, estimate.sigma_m, estimate.state};
+  Fix fix{time_s,           estimate.room, trial.world.find_room(truth.room), Fix::kNowhere, kPi,
+          estimate.sigma_m, estimate.state};
   if (estimate.room == kNoRoom) return fix;
   const Room& there = trial.world.room(fix.true_room);
   const Room& here = trial.plan.room(estimate.room);
@@ -75,6 +76,13 @@ Estimator thesis_method() {
   e.name = "thesis";
   e.thesis = true;
   e.steps = e.turns = false;
+  return e;
+}
+
+Estimator thesis_by_objective() {
+  Estimator e = thesis_method();
+  e.name = "thesis by objective";
+  e.parameters.compare_by_range = false;
   return e;
 }
 

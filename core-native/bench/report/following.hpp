@@ -26,6 +26,8 @@ struct Estimator {
 };
 
 [[nodiscard]] Estimator thesis_method();
+/// Rooms compared by the objective itself and not by what share of their range it is.
+[[nodiscard]] Estimator thesis_by_objective();
 /// Objective (5.1) to the letter.
 [[nodiscard]] Estimator thesis_as_printed();
 [[nodiscard]] Estimator tracker();
@@ -34,8 +36,8 @@ struct Estimator {
 
 /// What was walked, and on which plan it is followed.
 struct Trial {
-  const Building& world;           ///< The rooms of the truth.
-  const Building& plan;            ///< What the estimator is told; the same rooms in the same frames.
+  const Building& world;  ///< The rooms of the truth.
+  const Building& plan;   ///< What the estimator is told; the same rooms in the same frames.
   const sim::Simulation& walk;
   double temperature_c = kReferenceCelsius;
   std::uint64_t seed = 1;
@@ -46,8 +48,8 @@ struct Fix {
   double time_s = 0.0;
   RoomIndex room = kNoRoom;
   RoomIndex true_room = kNoRoom;
-  double error_m = 0.0;  ///< kNowhere while there is no estimate, or one on another level.
-  double turn_rad = 0.0; ///< Error of the heading, signed.
+  double error_m = 0.0;   ///< kNowhere while there is no estimate, or one on another level.
+  double turn_rad = 0.0;  ///< Error of the heading, signed.
   double sigma_m = 0.0;
   TrackState state = TrackState::searching;
 

@@ -175,8 +175,12 @@ sim::World world_of_room(std::string_view id) {
   };
   // "Moderately to highly cluttered"; room 5's "free floor space almost half of the total"; room 4 answers best of all;
   // the hall's "numerous small features which are not feasible to capture".
-  constexpr std::array<Contents, 6> kRooms{
-      {{"1", 0.10, 0.05}, {"3", 0.10, 0.10}, {"4", 0.06, 0.03}, {"5", 0.35, 0.20}, {"6", 0.10, 0.10}, {"hall", 0.02, 0.30}}};
+  constexpr std::array<Contents, 6> kRooms{{{"1", 0.10, 0.05},
+                                            {"3", 0.10, 0.10},
+                                            {"4", 0.06, 0.03},
+                                            {"5", 0.35, 0.20},
+                                            {"6", 0.10, 0.10},
+                                            {"hall", 0.02, 0.30}}};
   sim::World world = sim::make_world(sim::Profile::furnished);
   for (const Contents& contents : kRooms) {
     if (contents.room != id) continue;

@@ -21,7 +21,8 @@ constexpr std::string_view name_of(ElementKind kind) {
 
 }  // namespace
 
-void add_readings(std::string_view figure, const thesis::Scan& scan, const RangeModel& model, const Pose2& pose, Table& table) {
+void add_readings(std::string_view figure, const thesis::Scan& scan, const RangeModel& model, const Pose2& pose,
+                  Table& table) {
   for (int sensor = 0; sensor < model.belt().sensors; ++sensor) {
     const PredictedEcho echo = model.predict(pose, sensor);
     double real = Firing::kNoEcho;

@@ -1,7 +1,7 @@
 #include "roaming.hpp"
 
-#include "eval/buildings.hpp"
 #include "echoway/sim/random_walk.hpp"
+#include "eval/buildings.hpp"
 #include "plans.hpp"
 
 namespace echoway::report {

@@ -30,7 +30,8 @@ Vec2 random_place(const Room& room, Random& random) {
 
 }  // namespace
 
-RoomMatcher::RoomMatcher(const Building& plan, RoomIndex room, const BeltConfig& belt, const ThesisParameters& parameters)
+RoomMatcher::RoomMatcher(const Building& plan, RoomIndex room, const BeltConfig& belt,
+                         const ThesisParameters& parameters)
     : belt_(belt),
       parameters_(parameters),
       matcher_(plan.room(room), openings_of(plan, room), belt, DetectionTable(belt, parameters.detection), parameters),
@@ -40,7 +41,8 @@ RoomMatcher::RoomMatcher(const Building& plan, RoomIndex room, const BeltConfig&
 }
 
 thesis::Match RoomMatcher::match(const thesis::Scan& scan, const Pose2& start) {
-  return matcher_.match(scan, {start.position, parameters_.movement_m, start.heading, parameters_.rotation_rad}, workspace_);
+  return matcher_.match(scan, {start.position, parameters_.movement_m, start.heading, parameters_.rotation_rad},
+                        workspace_);
 }
 
 std::optional<double> RoomMatcher::objective(const thesis::Scan& scan, const Pose2& pose) {
@@ -80,7 +82,8 @@ std::vector<thesis::Scan> scans_at(const Building& world, std::string_view room,
   std::vector<TruthRow> stands;
   for (const Pose2& place : places) {
     for (int pass = 0; pass < parameters.passes; ++pass) {
-      stands.push_back({static_cast<double>(stands.size()) * ring.belt.sensors * ring.belt.slot_s, std::string(room), place});
+      stands.push_back(
+          {static_cast<double>(stands.size()) * ring.belt.sensors * ring.belt.slot_s, std::string(room), place});
     }
   }
   const auto log = sim::scan_at(world, contents, ring, stands, seed);

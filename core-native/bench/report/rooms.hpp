@@ -39,13 +39,14 @@ class RoomMatcher {
 /// Places to stand at, half a metre clear of everything on the plan, facing anywhere.
 [[nodiscard]] std::vector<Pose2> random_places(const Room& room, int count, std::uint64_t seed);
 /// What the thesis makes of two passes at each of them, without the walk in between.
-[[nodiscard]] std::vector<thesis::Scan> scans_at(const Building& world, std::string_view room, const std::vector<Pose2>& places,
-                                                 const sim::World& contents, std::uint64_t seed);
+[[nodiscard]] std::vector<thesis::Scan> scans_at(const Building& world, std::string_view room,
+                                                 const std::vector<Pose2>& places, const sim::World& contents,
+                                                 std::uint64_t seed);
 
-/// A walk in one room from place to place, standing at each for two passes, facing anywhere. Throws when the room has no
-/// such way.
-[[nodiscard]] sim::Walk walk_of_places(const Building& world, std::string_view room, int places, const sim::World& contents,
-                                       std::uint64_t seed);
+/// A walk in one room from place to place, standing at each for two passes, facing anywhere. Throws when the room has
+/// no such way.
+[[nodiscard]] sim::Walk walk_of_places(const Building& world, std::string_view room, int places,
+                                       const sim::World& contents, std::uint64_t seed);
 
 /// The thesis's circular walk (section 6.2.2): in steps of a foot and ten degrees round the sample room, one of them a
 /// sharp turn of thirty, standing after each.

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kPasses = 2.0;
 constexpr double kTurnStep = degrees(20.0);
-constexpr double kStill = 0.002;                // Metres,
-constexpr double kStillTurn = degrees(0.2);     // and radians: who moves less than this is standing.
+constexpr double kStill = 0.002;             // Metres,
+constexpr double kStillTurn = degrees(0.2);  // and radians: who moves less than this is standing.
 
 bool still(const TruthRow& a, const TruthRow& b) {
   return a.room == b.room && distance(a.pose.position, b.pose.position) < kStill &&
@@ -82,7 +82,8 @@ sim::Walk with_stops(const Building& world, const sim::Walk& walk, double step_m
   leg.world = sim::ideal_world();
   leg.steps.clear();
   for (const sim::WalkStep& step : walk.steps) {
-    const bool moves = std::holds_alternative<sim::GoTo>(step.action) || std::holds_alternative<sim::TurnBy>(step.action) ||
+    const bool moves = std::holds_alternative<sim::GoTo>(step.action) ||
+                       std::holds_alternative<sim::TurnBy>(step.action) ||
                        std::holds_alternative<sim::Face>(step.action);
     if (!moves) {
       if (!std::holds_alternative<sim::Pause>(step.action)) out.steps.push_back(step);

@@ -17,8 +17,9 @@ namespace echoway::report {
 /// How long to stand for two passes, settling included, seconds.
 [[nodiscard]] double pause_for(const BeltConfig& belt) noexcept;
 
-/// The thesis's wearer stands still while the belt scans: the same way in steps of `step_m` (and of 20 degrees where the
-/// wearer turns on the spot), with a pause of two passes after each. Lights, doors and faults happen where they did.
+/// The thesis's wearer stands still while the belt scans: the same way in steps of `step_m` (and of 20 degrees where
+/// the wearer turns on the spot), with a pause of two passes after each. Lights, doors and faults happen where they
+/// did.
 [[nodiscard]] sim::Walk with_stops(const Building& world, const sim::Walk& walk, double step_m);
 
 /// The first two passes of a pause.

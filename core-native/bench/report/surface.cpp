@@ -23,7 +23,8 @@ int Surface::rivals() const {
   const Point best = lowest();
   const double limit = best.objective_m + kAsGood * (quantile(std::move(values), 0.5) - best.objective_m);
   std::vector<Point> low;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(low), [&](const Point& p) { return p.objective_m < limit; });
+  std::copy_if(points.begin(), points.end(), std::back_inserter(low),
+               [&](const Point& p) { return p.objective_m < limit; });
   std::sort(low.begin(), low.end(), [](const Point& a, const Point& b) { return a.objective_m < b.objective_m; });
   std::vector<Vec2> minima;
   for (const Point& point : low) {
@@ -43,7 +44,8 @@ Surface Surface::within(Vec2 centre, double radius) const {
   return part;
 }
 
-Surface error_surface(RoomMatcher& matcher, const thesis::Scan& scan, double heading, const Room& room, double spacing_m) {
+Surface error_surface(RoomMatcher& matcher, const thesis::Scan& scan, double heading, const Room& room,
+                      double spacing_m) {
   Vec2 low = room.boundary.front().front();
   Vec2 high = low;
   for (const Vec2 p : room.boundary.front()) {

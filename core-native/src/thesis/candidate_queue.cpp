@@ -7,8 +7,13 @@ namespace {
 
 // What a room that no pose matches in is worth: a normalised match of 1 is off by the room's whole range.
 constexpr double kNoMatch = 1.0;
+constexpr double kNoMatchM = feet(35.0);  // The same where objectives are compared as they are: the sensors' range.
 
-double quality(const Match& match) noexcept { return match.found ? std::min(match.quality, kNoMatch) : kNoMatch; }
+// What stands for match_CR and match_NR.
+double worth(const Match& match, const ThesisParameters& parameters) noexcept {
+  if (!match.found) return parameters.compare_by_range ? kNoMatch : kNoMatchM;
+  return parameters.compare_by_range ? std::min(match.quality, kNoMatch) : std::min(match.objective_m, kNoMatchM);
+}
 
 }  // namespace
 
@@ -30,7 +35,8 @@ void CandidateQueue::add(RoomIndex room) {
 
 void CandidateQueue::update(const Match& current) {
   for (Candidate& candidate : queue_) {
-    candidate.likelihood = updated_likelihood(candidate.likelihood, quality(current), quality(candidate.match));
+    candidate.likelihood =
+        updated_likelihood(candidate.likelihood, worth(current, parameters_), worth(candidate.match, parameters_));
   }
 }
 

@@ -47,6 +47,25 @@ TEST(CandidateQueue, EntersAfterTwoBetterMatches) {
   EXPECT_EQ(queue.entered()->room, 3);
 }
 
+TEST(CandidateQueue, ComparesObjectivesThemselvesWhenAsked) {
+  // A hallway with 10 m of range off by 0.3 m, an office with 4 m of range off by 0.2 m: over their ranges the hallway is
+  // better, by themselves the office.
+  Match hallway = match_of(0.03);
+  hallway.objective_m = 0.3;
+  Match office = match_of(0.05);
+  office.objective_m = 0.2;
+  for (const bool by_range : {true, false}) {
+    ThesisParameters parameters;
+    parameters.compare_by_range = by_range;
+    CandidateQueue queue(parameters, 5);
+    queue.add(3);
+    queue.candidates()[0].match = office;
+    queue.update(hallway);
+    queue.update(hallway);
+    EXPECT_EQ(queue.entered() != nullptr, !by_range);
+  }
+}
+
 TEST(CandidateQueue, PurgesBelowTenPercentAndMovesTheRestUp) {
   CandidateQueue queue({}, 5);
   queue.add(1);

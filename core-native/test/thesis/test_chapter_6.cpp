@@ -1,5 +1,5 @@
-// The thesis's findings (chapter 6) in kind, with its method as `--method thesis` has it, in the simulated world. The same
-// parts make docs/report, which says where the figures differ and why.
+// The thesis's findings (chapter 6) in kind, with its method as `--method thesis` has it, in the simulated world. The
+// same parts make docs/report, which says where the figures differ and why.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,8 +13,8 @@ namespace echoway::report {
 namespace {
 
 TEST(Chapter6, TheErrorSurfaceHasOneMinimum) {
-  // Figure 6.6, at twenty places: at most of them, within the five feet that the method looks at, in rooms without furniture.
-  // Furniture makes other minima (docs/report).
+  // Figure 6.6, at twenty places: at most of them, within the five feet that the method looks at, in rooms without
+  // furniture. Furniture makes other minima (docs/report).
   const Building lab = load_plan("torgersen-lab");
   int places = 0;
   int alone = 0;
@@ -25,7 +25,8 @@ TEST(Chapter6, TheErrorSurfaceHasOneMinimum) {
     const sim::Simulation run = walk_through(lab, walk);
     RoomMatcher matcher(lab, index, walk.belt, ThesisParameters::as_printed());
     for (const Stop& stop : find_stops(lab, run)) {
-      const Surface whole = error_surface(matcher, scan_at(stop, run, {}), stop.pose.heading, lab.room(index), feet(0.5));
+      const Surface whole =
+          error_surface(matcher, scan_at(stop, run, {}), stop.pose.heading, lab.room(index), feet(0.5));
       const Surface near = whole.within(stop.pose.position, feet(5.0));
       ASSERT_FALSE(near.points.empty());
       ++places;
@@ -86,8 +87,8 @@ double heading_error_after_the_turn(int sensors) {
 }
 
 TEST(Chapter6, EightSensorsLoseTheTurnAndFifteenHoldIt) {
-  // Figure 6.12: "magnitude of the orientation error was bounded within 25 degrees in the 15 sensor case". In furnished rooms
-  // fifteen lose it too now and then (docs/report).
+  // Figure 6.12: "magnitude of the orientation error was bounded within 25 degrees in the 15 sensor case". In furnished
+  // rooms fifteen lose it too now and then (docs/report).
   EXPECT_GT(heading_error_after_the_turn(8), 45.0);
   EXPECT_LT(heading_error_after_the_turn(15), 25.0);
 }

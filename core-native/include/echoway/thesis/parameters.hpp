@@ -42,6 +42,8 @@ struct ThesisParameters {
   double exit_reach_m = feet(4.0);           ///< Adjoining rooms become candidates this near to an exit.
   double candidate_growth = 2.0;             ///< Candidates' bounds are this much wider.
   double enter_likelihood = 0.8;             ///< Above it a candidate becomes the current room.
+  bool compare_by_range = true;              ///< Rooms are compared by the objective over their range (section 6.2.1),
+                                             ///< else by the objective itself; chosen.
   double purge_likelihood = 0.1;             ///< Below it a candidate leaves the queue.
 
   // Search with an unknown start: the thesis has none (it "starts with the approximate initial user pose").
