@@ -74,8 +74,9 @@ pose. Diamonds without a partner are furniture that no plan knows, as the shelve
 
 {surfaces}
 
-White: fewer than four readings to compare, which the method discards. The thesis shows one valley and one minimum. Over many places it depends on what stands about. One minimum: no other one
-farther than 2 ft away that rises above the lowest by less than a quarter of what the median point does; "within 5 ft" looks
+White: fewer than four readings to compare, which the method discards. The thesis shows one valley and one minimum. Over
+many places it depends on what stands about. One minimum: no other one farther than 2 ft away that rises above the lowest by
+less than a quarter of what the median point does; "within 5 ft" looks
 only where the method looks.
 
 {table(["world", "places", "one minimum in the room", "one within 5 ft", "lowest, ft off (median)", "lowest within 5 ft"], rows)}

@@ -156,7 +156,9 @@ checkpoints within 9 ft of a door the right room is often not the one that match
 
 Objective (5.1) leaves out whatever the simulation has no reading for, and a candidate room may be matched anywhere within
 ten feet, so a wrong room with four lucky readings wins. Dividing by the room's range (section 6.2.1) adds a preference for the
-larger of the two, by as much as two to one between a hallway and an office. Once in the wrong room the method looks only
+larger of the two, by as much as two to one between a hallway and an office. And the right candidate, though matched at the true
+pose, then hovers near one half: (5.2) pulls its likelihood back with every scan in which the room that has been left matches as well,
+and passing 80 % takes about three better matches in a row. Meanwhile the method drifts about in the wrong room, since it looks only
 around its last match. The thesis does not say how many walks it tried, nor which of the two it compared; "rooms by objective"
 is the method without that division: the tables show what it wins and what it loses.
 
