@@ -23,6 +23,7 @@ constexpr double kCrumbSpacing = 1.5;      ///< Metres.
 constexpr std::size_t kCrumbs = 1024;
 constexpr double kPendingFor = 3.0;        ///< Seconds that a room entered is worth telling.
 constexpr double kAskedFor = 12.0;         ///< The same for an answer.
+constexpr double kFreePlace = 2.0;         ///< The same for places.
 constexpr double kFreeDoor = 1.8;          ///< Doors are told from here without a way, metres.
 
 }  // namespace
@@ -31,6 +32,7 @@ struct Guide::Impl {
   Impl(const Router& r, const GuideConfig& c)
       : router(&r), config(c), voice(config), certainty(config), follower(r, config), obstacles(r, config) {
     crumbs.reserve(kCrumbs);
+    told_places.resize(r.building().places.size(), false);
   }
 
   Status lead_to(const Goal& goal, RoutePreferences preferences);
@@ -41,6 +43,7 @@ struct Guide::Impl {
   void note_room();
   void tell_pending();
   void tell_free_door();
+  void tell_free_place();
   void drop_crumb();
   void note_link();
   [[nodiscard]] bool position_usable() const {
@@ -67,6 +70,7 @@ struct Guide::Impl {
   double obstacle_told = -1e300;
   double obstacle_m = -1.0;          ///< Of what is in the way now.
   std::int32_t free_door = -1;
+  std::vector<bool> told_places;     ///< By place: told, and not left since.
   // Answers wait here for the voice, first to last.
   std::array<Cue, 3> asked{};
   std::size_t asked_count = 0;
@@ -157,7 +161,9 @@ void Guide::on_estimate(const Estimate& estimate, std::span<const Hypothesis> hy
   g.tell_obstacle();
   g.follower.update(g.estimate, g.certainty.level() == Certainty::Level::vague, g.voice);
   g.tell_pending();
-  if (!g.follower.active()) g.tell_free_door();
+  if (g.follower.active()) return;
+  g.tell_free_door();
+  g.tell_free_place();
 }
 
 void Guide::Impl::handle_lost(std::span<const Hypothesis> places) {
@@ -288,6 +294,27 @@ void Guide::Impl::note_link() {
     if (!at_a && !at_b) continue;
     const double patience = link.kind == LevelLinkKind::stairs ? config.stairs_patience_s : config.elevator_patience_s;
     maybe_climbing_until = std::max(maybe_climbing_until, estimate.time_s + config.unasked_share * patience);
+  }
+}
+
+void Guide::Impl::tell_free_place() {
+  if (certainty.level() != Certainty::Level::sure || estimate.speed_mps < 0.2) return;
+  const std::vector<Landmark>& places = router->building().places;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool here = places[i].room == estimate.room;
+    const double away = distance(places[i].at, estimate.pose.position);
+    if (!here || away > 2.0 * kFreePlace) told_places[i] = false;
+    if (!here || away > kFreePlace || told_places[i] || places[i].name.empty()) continue;
+    const Vec2 way = (1.0 / std::max(away, 1e-6)) * (places[i].at - estimate.pose.position);
+    constexpr double kItsOwnDepth = 0.3;  // a place may stand on a bench
+    if (router->space(estimate.room).reach(estimate.pose.position, way, away) < away - kItsOwnDepth) continue;
+    Cue cue = make_cue(CueKind::place);
+    cue.landmark = {CueLandmark::Kind::place, static_cast<std::int32_t>(i)};
+    cue.direction = guidance::direction_to(estimate.pose, places[i].at);
+    cue.has_direction = true;
+    cue.distance_m = away;
+    cue.sigma_m = estimate.sigma_m;
+    if (voice.is_free(estimate.time_s) && voice.offer(cue, estimate.time_s)) told_places[i] = true;
   }
 }
 

@@ -187,6 +187,23 @@ TEST_F(GuideTest, AnswersWhereAmI) {
   EXPECT_EQ(sector_of(cues[2].direction), Sector::left);
 }
 
+TEST_F(GuideTest, TellsOfAPlaceOnceAnApproachToWhoWalksWithoutADestination) {
+  const auto walk = [&](double seconds, Vec2 position, double heading_deg) {
+    Estimate e = at(0, 1, position, heading_deg);
+    e.speed_mps = 0.6;
+    return wearer.stay(seconds, e);
+  };
+  (void)walk(15.0, {1.0, 1.0}, 0.0);
+  const auto near = walk(20.0, {3.0, 4.0}, 90.0);
+  ASSERT_EQ(std::count_if(near.begin(), near.end(), [](const Cue& c) { return c.kind == CueKind::place; }), 1);
+  const Cue place = *std::find_if(near.begin(), near.end(), [](const Cue& c) { return c.kind == CueKind::place; });
+  EXPECT_EQ(sector_of(place.direction), Sector::right);
+  EXPECT_EQ(place.urgency, Urgency::place);
+  (void)walk(15.0, {0.2, 0.2}, 0.0);  // out of its reach
+  EXPECT_THAT(kinds(walk(15.0, {3.0, 4.0}, 90.0)), Contains(CueKind::place)) << "another approach";
+  EXPECT_THAT(kinds(wearer.stand(20.0, 0, {2, 2}, 0.0)), Not(Contains(CueKind::place))) << "another room";
+}
+
 TEST_F(GuideTest, RepeatsTheLastInstructionWhenAsked) {
   ASSERT_TRUE(guide.set_destination("Lectern"));
   EXPECT_FALSE(guide.repeat()) << "nothing was told yet";

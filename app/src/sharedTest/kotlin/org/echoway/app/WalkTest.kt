@@ -112,6 +112,7 @@ class WalkTest {
         assertTrue("nothing was lost on the way: ${walk.voice.words}", walk.voice.words.none { it.startsWith("Not sure") })
         assertEquals("Belt connected.", walk.voice.words.first())
         assertEquals("The recorded walk is over.", walk.voice.words.last())
+        assertTrue("${walk.voice.words}", walk.voice.words.any { Regex("Lectern [a-z ]+, [a-z ]+\\.").matches(it) })
         walk.voice.words.filter { it.startsWith("Door ") }.forEach { assertTrue(it, Regex("Door [a-z ]+, [a-z ]+ (feet|foot)\\.").matches(it)) }
     }
 
