@@ -9,8 +9,11 @@ echo "map,source,walk,kind,x_m,y_m,level,text" > "$traces"
 maps=(maps/*/)
 maps=("${maps[@]%/}")
 "$binary" "$rows" "$traces" 200 noise "${maps[@]}" office grid levels
+cluttered=(maps/similar-rooms maps/torgersen-lab maps/two-rooms office)
+"$binary" "$rows" "$traces" 100 obstacles "${cluttered[@]}"
 # Westport House is left out below: its many walls make the simulated echoes slow.
 small=(maps/sample-room maps/similar-rooms maps/torgersen-lab maps/two-rooms office)
 "$binary" "$rows" "$traces" 40 empty "${small[@]}"
 "$binary" "$rows" "$traces" 40 furnished "${small[@]}"
+"$binary" "$rows" "$traces" 40 cluttered "${cluttered[@]}"
 "$binary" "$rows" "$traces" 40 search maps/torgersen-lab

@@ -15,11 +15,15 @@ import matplotlib.pyplot as plt
 
 SOURCES = OrderedDict(
     noise="truth + 0.12 m, 4° drifting error",
+    obstacles="the same, furniture on the way",
     empty="tracker, bare rooms",
     furnished="tracker, furnished rooms",
+    cluttered="tracker, furniture on the way",
     search="tracker told nothing, furnished rooms",
 )
-MODES = {"noise": "#4477aa", "empty": "#228833", "furnished": "#ee6677", "search": "#aa3377"}
+MODES = {"noise": "#4477aa", "obstacles": "#66ccee", "empty": "#228833", "furnished": "#ee6677", "cluttered": "#ccbb44",
+         "search": "#aa3377"}
+BY_TRUTH = ("noise", "obstacles")
 
 
 def total(rows, column):
@@ -28,8 +32,9 @@ def total(rows, column):
 
 def table(groups):
     head = (
-        "| position from | building | walks | arrive | walked / shortest | wall touches a walk | instructions at a wall "
-        "| cues a minute | mean time, s | tracker error, m |\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n"
+        "| position from | building | walks | arrive | walked / shortest | wall touches a walk "
+        "| bumps into furniture a walk | instructions at a wall | cues a minute | mean time, s | tracker error, m |\n"
+        "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n"
     )
     lines = []
     for (source, name), rows in groups.items():
@@ -37,11 +42,11 @@ def table(groups):
         done = [row for row in rows if row["arrived"] == "1"]
         if not done:
             continue
-        error = f"{total(rows, 'track_error_m') / n:.2f}" if source != "noise" else "–"
+        error = f"{total(rows, 'track_error_m') / n:.2f}" if source not in BY_TRUTH else "–"
         lines.append(
             f"| {SOURCES[source]} | {name} | {n} | {100 * len(done) / n:.1f} % "
             f"| {total(done, 'walked_m') / total(done, 'shortest_m'):.2f} | {total(rows, 'touches') / n:.2f} "
-            f"| {100 * total(rows, 'wrong') / total(rows, 'instructions'):.1f} % "
+            f"| {total(rows, 'bumps') / n:.2f} | {100 * total(rows, 'wrong') / total(rows, 'instructions'):.2f} % "
             f"| {60 * total(rows, 'cues') / total(rows, 'time_s'):.0f} | {total(done, 'time_s') / len(done):.0f} | {error} |"
         )
     return head + "\n".join(lines) + "\n"
@@ -52,6 +57,9 @@ def draw_walk(axes, traces, name, source, walk):
     for x0, y0, x1, y1 in walls:
         axes.plot([x0, x1], [y0, y1], color="#555555", lw=1)
     rows = traces[name, source, walk]
+    for row in (r for r in rows if r["kind"] == "thing"):
+        x, y = map(float, row["text"].split())
+        axes.plot([float(row["x_m"]), x], [float(row["y_m"]), y], "-", color="#b07030", lw=1.2, marker=".", ms=1.5)
     for kind, style in (("way", dict(color="#bbbbbb", lw=4, zorder=1)), ("walk", dict(color=MODES[source], lw=1.6, zorder=2))):
         points = [(float(r["x_m"]), float(r["y_m"])) for r in rows if r["kind"] == kind]
         axes.plot(*zip(*points), **style)
@@ -71,7 +79,7 @@ def draw_walk(axes, traces, name, source, walk):
 
 def draw(groups, traces, out):
     figure = plt.figure(figsize=(13, 11))
-    for i, pick in enumerate([("torgersen-lab", "furnished", "0"), ("similar-rooms", "furnished", "2")]):
+    for i, pick in enumerate([("torgersen-lab", "furnished", "0"), ("two-rooms", "obstacles", "1")]):
         draw_walk(figure.add_axes((0.02 + 0.5 * i, 0.4, 0.3, 0.57)), traces, *pick)
     spread = figure.add_axes((0.06, 0.06, 0.4, 0.28))
     errors = figure.add_axes((0.55, 0.06, 0.4, 0.28))

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "echoway/building/loader.hpp"
@@ -121,6 +122,17 @@ void walk(const std::string& name, const Router& router, const std::string& sour
     const Vec2 at = router.building().room(p.room).frame.transform(p.pose.position);
     std::fprintf(out.traces, "%s,%s,%llu,walk,%.3f,%.3f,%d,\n", name.c_str(), source.c_str(),
                  static_cast<unsigned long long>(seed), at.x, at.y, router.building().room(p.room).level);
+  }
+  std::set<RoomIndex> seen;
+  for (const test::TracePoint& p : o.trace) {
+    if (!seen.insert(p.room).second) continue;
+    const Room& room = router.building().room(p.room);
+    for (const Segment& s : poses->things(p.room)) {
+      const Vec2 a = room.frame.transform(s.a);
+      const Vec2 b = room.frame.transform(s.b);
+      std::fprintf(out.traces, "%s,%s,%llu,thing,%.3f,%.3f,%d,\"%.3f %.3f\"\n", name.c_str(), source.c_str(),
+                   static_cast<unsigned long long>(seed), a.x, a.y, room.level, b.x, b.y);
+    }
   }
   for (std::size_t i = 0; i < o.cues.size(); ++i) {
     const auto p = std::lower_bound(o.trace.begin(), o.trace.end(), o.cues[i].cue.time_s,

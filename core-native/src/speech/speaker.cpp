@@ -145,9 +145,21 @@ class Line {
     return counted(t_, unit, spoken.halves);
   }
 
+  /// Letters and figures only, in lower case.
+  [[nodiscard]] static std::string letters_of(const std::string& text) {
+    std::string letters;
+    for (const char c : text) {
+      if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) letters += c;
+      if (c >= 'A' && c <= 'Z') letters += static_cast<char>(c - 'A' + 'a');
+    }
+    return letters.empty() ? text : letters;
+  }
+
   [[nodiscard]] std::string room(RoomIndex index) const {
     if (index < 0 || static_cast<std::size_t>(index) >= building_.rooms.size()) return t_.nowhere;
     const Room& r = building_.room(index);
+    // An id that was made from the name ("2-main-corridor") is for files, not for ears.
+    if (!r.name.empty() && letters_of(r.id).find(letters_of(r.name)) != std::string::npos) return r.name;
     std::string words = with(t_.room, "{id}", r.id);
     if (!r.name.empty() && r.name != r.id && r.name != words) words.append(", ").append(r.name);
     return words;

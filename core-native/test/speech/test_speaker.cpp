@@ -132,6 +132,13 @@ TEST_F(SpeakerTest, IsNeverMorePreciseThanTheEstimate) {
   EXPECT_EQ(say(cue), "Door ahead, a few steps.");
 }
 
+TEST_F(SpeakerTest, CallsARoomByItsNameAloneWhenItsIdIsMadeOfIt) {
+  building.rooms.push_back(test::make_box("2-main-corridor", 8, 6, "Main corridor"));
+  Cue entering = make_cue(CueKind::entering);
+  entering.room = 2;
+  EXPECT_EQ(say(entering), "Main corridor.");
+}
+
 TEST_F(SpeakerTest, NamesLevelsAndUnnamedThings) {
   Cue take = with_landmark(make_cue(CueKind::take_link), CueLandmark::Kind::link, 1);
   take.up = true;
