@@ -71,7 +71,9 @@ int locate(const LocateOptions& options) {
   Session& session = **opened;
 
   if (!options.session.destination.empty()) {
-    if (const Status set = session.set_destination(options.session.destination); !set) return bad_input(set.error());
+    const RoutePreferences preferences{options.session.avoid_stairs};
+    const Status set = session.set_destination(options.session.destination, preferences);
+    if (!set) return bad_input(set.error());
   }
   CueCollector voice(session, options.session.speech_style());
   std::vector<TrackRow> track;

@@ -93,7 +93,9 @@ int monitor(const MonitorOptions& options) {
   Result<std::unique_ptr<Session>> session = Session::open(std::move(*building), *config);
   if (!session) return bad_input(session.error());
   if (!options.session.destination.empty()) {
-    if (const Status set = (*session)->set_destination(options.session.destination); !set) return bad_input(set.error());
+    const RoutePreferences preferences{options.session.avoid_stairs};
+    const Status set = (*session)->set_destination(options.session.destination, preferences);
+    if (!set) return bad_input(set.error());
   }
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);

@@ -39,6 +39,7 @@ void SessionOptions::add_to(CLI::App& command) {
   command.add_option("--radius", radius_m, "From the wearer's axis to the transducers, metres")->check(CLI::Range(0.0, 2.0));
   command.add_option("--beam", beam_deg, "Full angle within which a plane wall answers, degrees")
       ->check(CLI::Range(0.1, 180.0));
+  command.add_flag("--avoid-stairs", avoid_stairs, "Take stairs only where nothing else leads there");
   command.add_option("--to", destination, "Guide the wearer to a place, an exit or a room; \"exit\" is the nearest one");
   command.add_option("--language", language, "Of the cues")->check(CLI::IsMember({"en", "de", "fr"}))->capture_default_str();
   command.add_option("--directions", directions, "How cues give directions")

@@ -22,6 +22,7 @@ struct SessionOptions {
   std::optional<double> beam_deg;
   std::uint64_t seed = 1;
   std::string destination;
+  bool avoid_stairs = false;
   std::string language = "en";
   std::string directions = "sides";
   std::string lengths = "feet";

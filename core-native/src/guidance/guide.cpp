@@ -23,8 +23,8 @@ constexpr double kCrumbSpacing = 1.5;      ///< Metres.
 constexpr std::size_t kCrumbs = 1024;
 constexpr double kPendingFor = 3.0;        ///< Seconds that a room entered is worth telling.
 constexpr double kAskedFor = 12.0;         ///< The same for an answer.
-constexpr double kFreePlace = 2.0;         ///< The same for places.
-constexpr double kFreeDoor = 1.8;          ///< Doors are told from here without a way, metres.
+constexpr double kFreePlace = 2.0;         ///< Places are told from here without a way, metres.
+constexpr double kPassing = 1.8;           ///< Doors, exits, stairs and elevators, from here.
 
 }  // namespace
 
@@ -42,7 +42,7 @@ struct Guide::Impl {
   void tell_obstacle();
   void note_room();
   void tell_pending();
-  void tell_free_door();
+  void tell_in_passing();
   void tell_free_place();
   void drop_crumb();
   void note_link();
@@ -69,7 +69,7 @@ struct Guide::Impl {
   double room_since = 0.0;
   double obstacle_told = -1e300;
   double obstacle_m = -1.0;          ///< Of what is in the way now.
-  std::int32_t free_door = -1;
+  CueLandmark told_in_passing{};     ///< The last thing that was told without a way.
   std::vector<bool> told_places;     ///< By place: told, and not left since.
   // Answers wait here for the voice, first to last.
   std::array<Cue, 3> asked{};
@@ -162,7 +162,7 @@ void Guide::on_estimate(const Estimate& estimate, std::span<const Hypothesis> hy
   g.follower.update(g.estimate, g.certainty.level() == Certainty::Level::vague, g.voice);
   g.tell_pending();
   if (g.follower.active()) return;
-  g.tell_free_door();
+  g.tell_in_passing();
   g.tell_free_place();
 }
 
@@ -274,13 +274,13 @@ void Guide::Impl::tell_pending() {
   if (told || now - room_since > kPendingFor) room_pending = false;
 }
 
-void Guide::Impl::tell_free_door() {
+void Guide::Impl::tell_in_passing() {
   if (certainty.level() != Certainty::Level::sure || estimate.speed_mps < 0.2) return;
-  Cue cue = guidance::nearest_door(*router, estimate);
-  const bool near = cue.distance_m >= 0.3 && cue.distance_m <= kFreeDoor && std::abs(cue.direction) <= degrees(110.0);
-  if (cue.distance_m > 2.0 * kFreeDoor) free_door = -1;
-  if (!near || cue.landmark.index == free_door) return;
-  if (voice.is_free(estimate.time_s) && voice.offer(cue, estimate.time_s)) free_door = cue.landmark.index;
+  const Cue cue = guidance::nearest_passage(*router, estimate);
+  if (cue.distance_m > 2.0 * kPassing) told_in_passing = {};
+  const bool near = cue.distance_m >= 0.3 && cue.distance_m <= kPassing && std::abs(cue.direction) <= degrees(110.0);
+  if (!near || cue.landmark == told_in_passing) return;
+  if (voice.is_free(estimate.time_s) && voice.offer(cue, estimate.time_s)) told_in_passing = cue.landmark;
 }
 
 /// Whoever is at stairs or an elevator may take them unasked: then echoes need not fit for a while.

@@ -34,6 +34,35 @@ Cue nearest_door(const Router& router, const Estimate& e) {
   return cue;
 }
 
+Cue nearest_passage(const Router& router, const Estimate& e) {
+  const Building& b = router.building();
+  Cue cue = nearest_door(router, e);
+  const auto look_at = [&](CueKind kind, CueLandmark::Kind landmark, std::size_t index, RoomIndex room, Vec2 at) {
+    const double away = distance(at, e.pose.position);
+    if (room != e.room || (cue.distance_m >= 0.0 && away >= cue.distance_m)) return;
+    cue = make_cue(kind);
+    cue.sigma_m = e.sigma_m;
+    cue.distance_m = away;
+    cue.direction = direction_to(e.pose, at);
+    cue.has_direction = true;
+    cue.landmark = {landmark, static_cast<std::int32_t>(index)};
+  };
+  for (std::size_t i = 0; i < b.exits.size(); ++i) {
+    look_at(CueKind::exit, CueLandmark::Kind::exit, i, b.exits[i].room, b.exits[i].at);
+  }
+  for (std::size_t i = 0; i < b.links.size(); ++i) {
+    const LevelLink& link = b.links[i];
+    const CueKind kind = link.kind == LevelLinkKind::stairs ? CueKind::stairs : CueKind::elevator;
+    look_at(kind, CueLandmark::Kind::link, i, link.room_a, link.at_a);
+    look_at(kind, CueLandmark::Kind::link, i, link.room_b, link.at_b);
+    if (cue.landmark == CueLandmark{CueLandmark::Kind::link, static_cast<std::int32_t>(i)}) {
+      const RoomIndex other = link.room_a == e.room ? link.room_b : link.room_a;
+      cue.up = b.room(other).level > b.room(e.room).level;
+    }
+  }
+  return cue;
+}
+
 Cue facing(const Router& router, const Estimate& e) {
   const Building& b = router.building();
   const FreeSpace& space = router.space(e.room);

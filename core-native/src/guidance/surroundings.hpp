@@ -12,6 +12,9 @@ namespace echoway::guidance {
 /// The door nearest to the wearer in their room, of kind CueKind::door; distance negative when there is none.
 [[nodiscard]] Cue nearest_door(const Router& router, const Estimate& estimate);
 
+/// The nearest way out of the wearer's room: a door, an exit, stairs or an elevator. Distance negative when there is none.
+[[nodiscard]] Cue nearest_passage(const Router& router, const Estimate& estimate);
+
 /// What the wearer looks at: a place, an exit, stairs or a door within 20 degrees and in sight, else the wall and how
 /// far it is.
 [[nodiscard]] Cue facing(const Router& router, const Estimate& estimate);

@@ -178,6 +178,25 @@ TEST_F(GuideTest, GivesNoPreciseInstructionWhenUnsure) {
   }
 }
 
+TEST(Guide, TellsInPassingOfExitsPlacesAndStairsWithoutADestination) {
+  Building b;
+  b.rooms.push_back(test::make_box("hall", 20, 4));
+  b.rooms.push_back(test::make_box("upstairs", 20, 4));
+  b.rooms[1].level = 1;
+  b.places.push_back({0, {5, 3}, "Desk"});
+  b.exits.push_back({0, {10, 3.2}, "Garden door"});
+  b.links.push_back({LevelLinkKind::stairs, 0, {15, 3}, 1, {15, 3}});
+  Listener wearer(b);
+  std::vector<CueKind> told;
+  Estimate walking = at(0, 0, {1.0, 2.0}, 0.0);
+  walking.speed_mps = 0.8;
+  while (walking.pose.position.x < 18.0) {
+    for (const Cue& cue : wearer.stay(kSlot, walking)) told.push_back(cue.kind);
+    walking.pose.position.x += 0.8 * kSlot;
+  }
+  EXPECT_THAT(told, ElementsAre(CueKind::entering, CueKind::place, CueKind::exit, CueKind::stairs));
+}
+
 TEST_F(GuideTest, AnswersWhereAmI) {
   (void)wearer.stand(3.0, 0, {2.5, 4.0}, 0.0);
   guide.where_am_i();
