@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "buildings.hpp"
+#include "echoway/building/loader.hpp"
 #include "echoway/sim/random_walk.hpp"
 #include "echoway/sim/simulate.hpp"
 #include "echoway/tracker/bayes_locator.hpp"
@@ -30,6 +31,9 @@ struct Options {
   bool verbose = false;
   int particles = 0;
   sim::Profile profile = sim::Profile::furnished;
+  std::string building;   // Empty: a random office for every walk.
+  double pace_mps = 0.5;
+  double cover = 0.0;
   int processes = 2;
 };
 
@@ -107,9 +111,19 @@ Score run(const Building& building, const sim::Simulation& s, const Options& o, 
   return out;
 }
 
+Building load(const std::string& dir) {
+  Result<Building> building = load_building(dir);
+  if (building) return std::move(*building);
+  std::fprintf(stderr, "%s\n", building.error().to_string().c_str());
+  std::exit(2);
+}
+
 Score one(const Options& o, int k) {
-  const Building building = random_office(o.rooms, static_cast<std::uint64_t>(k));
+  const Building building = o.building.empty() ? random_office(o.rooms, static_cast<std::uint64_t>(k)) : load(o.building);
   sim::RandomWalkOptions w;
+  w.speed_mps = o.pace_mps;
+  w.teleport_probability = o.teleport ? 0.1 : 0.0;
+  w.cover_probability = o.cover;
   w.duration_s = o.seconds;
   w.profile = o.profile;
   auto walk = sim::random_walk(building, w, static_cast<std::uint64_t>(k) * 101 + 7);
@@ -139,6 +153,10 @@ int main(int argc, char** argv) {
     else if (a == "--unknown") o.known = false;
     else if (a == "--verbose") o.verbose = true;
     else if (a == "--particles") o.particles = static_cast<int>(value());
+    else if (a == "--teleport") o.teleport = true;
+    else if (a == "--cover") o.cover = value();
+    else if (a == "--speed") o.pace_mps = value();
+    else if (a == "--building" && i + 1 < argc) o.building = argv[++i];
     else if (a == "--empty") o.profile = sim::Profile::empty;
     else if (a == "--hard") o.profile = sim::Profile::hard;
     else if (a == "--processes") o.processes = static_cast<int>(value());

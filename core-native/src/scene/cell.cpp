@@ -16,6 +16,8 @@ double distance_to_box(Vec2 p, const Corners& box) noexcept {
   return std::hypot(dx, dy);
 }
 
+bool may_be_rough(const Candidate& wall, const SightLimits& limits) noexcept { return wall.nearest < limits.rough_range; }
+
 bool wall_candidate(const Reflector& r, const Corners& box, const SightLimits& limits, Candidate& out) noexcept {
   double low = 1e300, high = -1e300, near_side = 1e300, far_side = -1e300;
   for (Vec2 c : box) {
@@ -26,10 +28,15 @@ bool wall_candidate(const Reflector& r, const Corners& box, const SightLimits& l
     near_side = std::min(near_side, d);
     far_side = std::max(far_side, d);
   }
-  if (high < 0.0 || low > r.length) return false;
   if (!r.two_sided && far_side <= 0.0) return false;
   if (near_side * far_side < 0.0) near_side = 0.0;
   out.nearest = std::min(std::abs(near_side), std::abs(far_side));
+  if (may_be_rough(out, limits)) {
+    const double aside = std::sin(limits.rough_cut_off_rad) * limits.rough_range;
+    low -= aside;
+    high += aside;
+  }
+  if (high < 0.0 || low > r.length) return false;
   out.feet = {r.a + std::max(low, 0.0) * r.tangent, r.a + std::min(high, r.length) * r.tangent};
   return out.nearest <= limits.max_range;
 }
@@ -70,6 +77,20 @@ bool candidate_for(const RoomScene& room, const Reflector& r, const Corners& box
   return out.nearest <= limits.max_range;
 }
 
+// Bounding box of some points: most of a large room's walls are ruled out by it alone.
+struct Bounds {
+  Vec2 low{1e300, 1e300};
+  Vec2 high{-1e300, -1e300};
+  void include(Vec2 p) noexcept {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  [[nodiscard]] bool misses(const Segment& s) const noexcept {
+    return (s.a.x < low.x && s.b.x < low.x) || (s.a.x > high.x && s.b.x > high.x) ||
+           (s.a.y < low.y && s.b.y < low.y) || (s.a.y > high.y && s.b.y > high.y);
+  }
+};
+
 // One blocking piece that cuts off every corner of the box from both ends of the feet cuts off everything in between.
 bool blocks_all(const Segment& s, const Corners& box, const Segment& feet) noexcept {
   for (Vec2 c : box) {
@@ -105,16 +126,22 @@ Arc directions(const Reflector& r, const Candidate& c, const Corners& box) noexc
   return {reference + low, high - low};
 }
 
-void fill_sectors(const RoomScene& room, const std::vector<Candidate>& seen, const Corners& box, double cut_off, Cell& cell) {
+void fill_sectors(const RoomScene& room, const std::vector<Candidate>& seen, const Corners& box, const SightLimits& limits, Cell& cell) {
   std::array<Arc, Cell::kMaxEntries> arcs;
-  for (std::size_t i = 0; i < seen.size(); ++i) arcs[i] = directions(room.reflectors[seen[i].reflector], seen[i], box);
+  std::array<double, Cell::kMaxEntries> cut_off;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const Reflector& r = room.reflectors[seen[i].reflector];
+    arcs[i] = directions(r, seen[i], box);
+    const bool rough = r.kind == ReflectorKind::wall && may_be_rough(seen[i], limits);
+    cut_off[i] = rough ? std::max(limits.cut_off_rad, limits.rough_cut_off_rad) : limits.cut_off_rad;
+  }
   constexpr double kWidth = kTwoPi / Cell::kSectors;
   std::uint16_t used = 0;
   for (int s = 0; s < Cell::kSectors; ++s) {
     cell.sector_begin[static_cast<std::size_t>(s)] = used;
     const double middle = (s + 0.5) * kWidth;
     for (std::size_t i = 0; i < seen.size() && used < Cell::kMaxItems; ++i) {
-      const double reach = 0.5 * arcs[i].width + 0.5 * kWidth + cut_off + 1e-9;
+      const double reach = 0.5 * arcs[i].width + 0.5 * kWidth + cut_off[i] + 1e-9;
       const double off = std::abs(wrap_angle(arcs[i].begin + 0.5 * arcs[i].width - middle));
       if (off <= reach) cell.items[used++] = static_cast<std::uint8_t>(i);
     }
@@ -154,9 +181,13 @@ void compile_cell(const RoomScene& room, Vec2 low, Vec2 high, const SightLimits&
     const Reflector& r = room.reflectors[c.reflector];
     between.clear();
     bool hidden = false;
+    const bool mirrored = r.kind == ReflectorKind::mirrored_corner;
+    Bounds reach;
+    for (Vec2 p : {box[0], box[2], c.feet.a, c.feet.b}) reach.include(p);
+    if (mirrored) reach.include(r.real);
     for (std::size_t k = 0; k < room.occluders.size() && !hidden; ++k) {
       if (static_cast<std::int16_t>(k) == r.own_index) continue;
-      const bool mirrored = r.kind == ReflectorKind::mirrored_corner;
+      if (reach.misses(room.occluders[k])) continue;
       if (!hull_may_touch<6>({box[0], box[1], box[2], box[3], c.feet.a, c.feet.b}, room.occluders[k]) &&
           !(mirrored && hull_may_touch<3>({c.feet.a, c.feet.b, r.real}, room.occluders[k]))) {
         continue;
@@ -171,7 +202,7 @@ void compile_cell(const RoomScene& room, Vec2 low, Vec2 high, const SightLimits&
   }
   seen.resize(kept);
   cell.entry_count = static_cast<std::uint16_t>(kept);
-  fill_sectors(room, seen, box, limits.cut_off_rad, cell);
+  fill_sectors(room, seen, box, limits, cell);
   cell.plain_floor = room.floor.begin.size() > 1 && !room.floor.crossed_by_box(low, high) && room.floor.contains(0.5 * (low + high));
 }
 

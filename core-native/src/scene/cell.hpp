@@ -36,7 +36,9 @@ struct SightLimits {
   double max_range = 0.0;               ///< From the transducer's face, metres.
   double max_edge_range = 0.0;          ///< Beyond it no edge answers.
   double max_mirrored_range = 0.0;      ///< Beyond it nothing is heard by way of a wall.
-  double cut_off_rad = 0.0;             ///< Nothing answers that far off the beam's axis.
+  double cut_off_rad = 0.0;             ///< Nothing answers that far off the beam's axis ...
+  double rough_range = 0.0;             ///< ... but walls nearer than this, which may be rough:
+  double rough_cut_off_rad = 0.0;       ///< they are silent beyond this angle.
 };
 
 /// A reflector, and the stretch of it from which an echo can come back into a cell.

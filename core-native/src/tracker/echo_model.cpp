@@ -15,6 +15,13 @@ constexpr double kLeastEdgeChance = 0.01;   // An edge that answers less often t
 
 }  // namespace
 
+EchoModelParameters hard_of_hearing(EchoModelParameters parameters) {
+  parameters.fade_range_m = 1.4;
+  parameters.fade_softness_m = 0.2;
+  parameters.mirrored_range_m = 1.2;
+  return parameters;
+}
+
 EchoModel::EchoModel(const BeltConfig& belt, const EchoModelParameters& p) {
   const double nominal = 0.5 * std::clamp(belt.beam_rad, degrees(2.0), degrees(120.0));
   const double half = p.beam_reach * nominal;
@@ -44,7 +51,7 @@ EchoModel::EchoModel(const BeltConfig& belt, const EchoModelParameters& p) {
     const double edge = p.detect_edge * logistic((p.edge_half_range_m - d) / p.edge_softness_m) * in_range;
     reach_[static_cast<std::size_t>(scene::ReflectorKind::edge)][i] = edge < kLeastEdgeChance ? 0.0 : edge;
     if (edge >= kLeastEdgeChance) limits_.max_edge_range = d;
-    reach_[static_cast<std::size_t>(scene::ReflectorKind::all_reflective)][i] = p.detect_all_reflective * in_range;
+    reach_[static_cast<std::size_t>(scene::ReflectorKind::all_reflective)][i] = p.detect_all_reflective * in_range * logistic((p.fade_range_m - d) / p.fade_softness_m);
     unexplained_[i] = ghost_density_ + p.clutter / p.clutter_length_m * fast_exp(-d / p.clutter_length_m) +
                       p.arm / p.arm_length_m * fast_exp(-d / p.arm_length_m) + p.late / span;
   }
@@ -57,6 +64,11 @@ EchoModel::EchoModel(const BeltConfig& belt, const EchoModelParameters& p) {
   limits_.max_mirrored_range = limits_.max_range;
   limits_.max_edge_range += 0.02;
   limits_.cut_off_rad = cut_off;
+  rough_ = p.rough;
+  rough_range_ = p.rough_range_m;
+  rough_cosine_ = std::cos(p.rough_angle_rad);
+  limits_.rough_range = p.rough > 0.0 ? p.rough_range_m : 0.0;
+  limits_.rough_cut_off_rad = p.rough_angle_rad;
 }
 
 }  // namespace echoway::tracker

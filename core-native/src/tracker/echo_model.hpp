@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "echoway/belt/belt.hpp"
@@ -12,11 +13,14 @@ namespace echoway::tracker {
 /// the Polaroid 6500 and furnished rooms in general and are tuned to no particular set of walks; docs/tracker.md shows
 /// how flat the error is around them.
 struct EchoModelParameters {
-  double deaf = 0.08;                 ///< The whole firing goes unheard: soft walls, clothes, a sensor turned up or down.
+  double deaf = 0.12;                 ///< The whole firing goes unheard: soft walls, clothes, a sensor turned up or down.
   double detect_wall = 0.96;          ///< Else a wall squarely in the beam answers.
   double detect_corner = 0.95;        ///< As strong as a wall (physics of Kuc and Siegel 1987).
   double fade_range_m = 9.0;          ///< Far walls and corners answer less: half as often at this distance,
   double fade_softness_m = 1.5;       ///< with this logistic width.
+  double rough = 0.15;                ///< A wall that is met askew answers all the same: brick, books, curtains ...
+  double rough_range_m = 3.0;         ///< ... up to this distance (thesis section 6.2.5: near walls, at 30 to 60 degrees) ...
+  double rough_angle_rad = degrees(60.0);   ///< ... and this angle.
   double detect_edge = 0.50;          ///< 37 dB weaker at 1 m: answers only near by ...
   double edge_half_range_m = 1.4;     ///< ... half as often at this distance ...
   double edge_softness_m = 0.4;       ///< ... with this logistic width.
@@ -34,6 +38,11 @@ struct EchoModelParameters {
   double late = 0.10;                 ///< or the first echo of an unanswered firing comes by two or more reflections.
   double ghost = 0.02;                ///< A reading out of nowhere, uniform over the sensor's range.
 };
+
+/// The same for a belt of weak sensors, or one worn under a coat, which hears what is near and nothing else.
+[[nodiscard]] EchoModelParameters hard_of_hearing(EchoModelParameters parameters);
+/// Echoes from beyond this distance, metres, such a belt does not hear.
+inline constexpr double kHardOfHearingRange = 2.0;
 
 /// The parameters for one belt, tabulated for the inner loop.
 class EchoModel {
@@ -62,6 +71,11 @@ class EchoModel {
   [[nodiscard]] double unexplained(double r) const noexcept {
     const double at = r * kReachPerMetre;
     return at < kReachEntries ? unexplained_[static_cast<std::size_t>(at)] : ghost_density_;
+  }
+
+  /// Probability that a wall answers that is `distance` away along an axis whose angle with the normal has this cosine.
+  [[nodiscard]] double rough(double cosine, double distance) const noexcept {
+    return cosine > rough_cosine_ && distance < rough_range_ ? rough_ * std::min(1.0, 2.0 * (1.0 - distance / rough_range_)) : 0.0;
   }
 
   [[nodiscard]] double ghost_density() const noexcept { return ghost_density_; }
@@ -93,6 +107,9 @@ class EchoModel {
   double noise_share_ = 0.0;
   double floor2_ = 0.0;
   double min_range_ = 0.0;
+  double rough_ = 0.0;
+  double rough_range_ = 0.0;
+  double rough_cosine_ = 1.0;
   double half_beam_sine_ = 0.0;
   double half_beam_cosine_ = 1.0;
   scene::SightLimits limits_;

@@ -18,6 +18,9 @@ using scene::RoomScene;
 constexpr double kWallEndSoftness = 0.07;
 constexpr double kCoarseWallEndSoftness = 0.20;
 constexpr double kBeamEdgeSpread = 0.035;   // Radians by which the beam's edge is uncertain.
+constexpr double kRoughSpread = 0.06;       // Radians within the beam from which a rough wall's echo comes;
+constexpr double kCoarseRoughSpread = 0.10; // the same of particles that stand for cells of headings.
+constexpr double kOffTheBeam = 0.02;        // A wall that answers less often squarely is heard by its roughness, if at all.
 constexpr double kNearest = 1e-6;
 
 struct View {
@@ -26,6 +29,22 @@ struct View {
   bool coarse;
   const EchoModel& model;
 };
+
+// A rough wall answers from where the axis meets it, give or take what the beam's width blurs.
+bool see_rough_wall(const Reflector& r, const View& view, double d, Vec2 normal, ExpectedEcho& echo, Vec2& target) noexcept {
+  const double cosine = -dot(view.axis, normal);
+  const double way = d / std::max(cosine, 0.01);
+  echo.chance = view.model.rough(cosine, way);
+  if (echo.chance <= 0.0) return false;
+  target = view.eye + way * view.axis;
+  const double t = r.along(target);
+  if (t < 0.0 || t > r.length) return false;
+  echo.range = way;
+  echo.gradient = (1.0 / cosine) * normal;
+  const double blur = way * std::abs(cross(view.axis, normal)) / cosine * (view.coarse ? kCoarseRoughSpread : kRoughSpread);
+  echo.extra_variance = blur * blur;
+  return true;
+}
 
 bool see_wall(const Reflector& r, const View& view, ExpectedEcho& echo, Vec2& target) noexcept {
   double d = r.signed_distance(view.eye);
@@ -36,7 +55,7 @@ bool see_wall(const Reflector& r, const View& view, ExpectedEcho& echo, Vec2& ta
   }
   if (!(d > kNearest) || !(dot(view.axis, normal) < 0.0)) return false;
   const double beam = view.model.beam(std::abs(cross(view.axis, normal)), view.coarse);
-  if (beam <= 0.0) return false;
+  if (beam <= kOffTheBeam) return see_rough_wall(r, view, d, normal, echo, target);
   const double soft = view.coarse ? kCoarseWallEndSoftness : kWallEndSoftness;
   const double t = r.along(view.eye);
   const double inside = std::min(t, r.length - t);

@@ -13,6 +13,8 @@ constexpr double kLongMemory = 1.0 / 320.0;
 constexpr double kShareMemory = 1.0 / 160.0;
 constexpr double kMostDoubt = 4.0;
 constexpr int kWarmUp = 24;
+constexpr double kDoubtfulGain = 0.2;
+constexpr double kDoubtfulShare = 0.5;         // Of the usual gain.
 constexpr double kPoorGain = 0.08;             // A right place gains 0.4 to 1.2 nats a firing over the reference.
 constexpr double kPoorShare = 0.25;            // Of the usual gain.
 
@@ -24,8 +26,10 @@ double reference_density(double echo_share, bool echo, double range) noexcept {
 
 }  // namespace
 
+double FitMonitor::anywhere(bool echo, double range) const noexcept { return reference_density(echo_share_, echo, range); }
+
 void FitMonitor::observe(double log_density, bool echo, double range) noexcept {
-  const double gain = std::clamp(log_density - fast_log(reference_density(echo_share_, echo, range)), -4.0, 4.0);
+  const double gain = std::clamp(log_density - fast_log(anywhere(echo, range)), -4.0, 4.0);
   shortest_ += kShortestMemory * (gain - shortest_);
   short_ += kShortMemory * (gain - short_);
   long_ += kLongMemory * (gain - long_);
@@ -45,7 +49,7 @@ double FitMonitor::doubt() const noexcept {
 }
 
 bool FitMonitor::doubtful() const noexcept {
-  return observed_ >= kWarmUp && short_ < std::max(0.35, 0.75 * long_);
+  return observed_ >= kWarmUp && short_ < std::max(kDoubtfulGain, kDoubtfulShare * long_);
 }
 
 bool FitMonitor::poor() const noexcept {

@@ -5,6 +5,9 @@ namespace echoway::tracker {
 /// Watches whether the tracked place keeps explaining the echoes better than no place at all would.
 class FitMonitor {
  public:
+  /// Density of a reading, per metre for an echo and a plain probability for none, when nothing is known of the place.
+  [[nodiscard]] double anywhere(bool echo, double range) const noexcept;
+
   /// `log_density` as the tracked hypothesis predicted the reading; `echo` and `range` say which reading it was.
   void observe(double log_density, bool echo, double range) noexcept;
   void reset() noexcept;

@@ -12,6 +12,7 @@ using scene::RoomScene;
 
 constexpr double kDoorwaySlack = 0.25;   // Beside the opening, where a slightly wrong mean still means the doorway.
 constexpr double kStride = 1.2;          // Beyond the door's plane, as far as one interval may carry a mean.
+constexpr double kBody = 0.20;           // Nobody's axis comes nearer to a wall, metres.
 constexpr double kWallSlack = 0.10;      // Maps and means are this wrong near walls.
 
 void enter(Particle& p, const Opening& o) noexcept {
@@ -41,13 +42,17 @@ double settle_on_floor(Particle& p, scene::Scene& scene) noexcept {
     if (q.x >= room.low.x && q.y >= room.low.y && q.x <= room.high.x && q.y <= room.high.y) return 1.0;
   }
   const RoomScene& room = scene.room(p.room);
-  if (room.floor.contains(p.position)) return 1.0;
+  const bool inside = room.floor.contains(p.position);
+  const double variance = kWallSlack * kWallSlack + 0.5 * (p.cov.xx + p.cov.yy);
+  const double to_wall = room.floor.distance(p.position);
+  if (inside && to_wall >= kBody) return 1.0;
   bool in_doorway = false;
   for (const Opening& o : room.openings) {
     const Vec2 off = p.position - o.centre;
     if (std::abs(dot(off, o.tangent)) > o.half_width + kDoorwaySlack) continue;
     const double across = std::abs(cross(off, o.tangent));
     if (across > kStride + o.gap) continue;
+    if (inside) return 1.0;
     if (scene.room(o.to).floor.contains(o.to_neighbour(p.position))) {
       enter(p, o);
       return 1.0;
@@ -56,8 +61,7 @@ double settle_on_floor(Particle& p, scene::Scene& scene) noexcept {
     in_doorway = true;
   }
   if (in_doorway) return 1.0;
-  const double outside = room.floor.distance(p.position);
-  const double variance = kWallSlack * kWallSlack + 0.5 * (p.cov.xx + p.cov.yy);
+  const double outside = inside ? kBody - to_wall : kBody + to_wall;
   return fast_exp(-0.5 * outside * outside / variance);
 }
 

@@ -78,7 +78,8 @@ Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene:
     double survival = 1.0;
     for (int j = 0; j < expected.count; ++j) survival *= 1.0 - expected.echo[static_cast<std::size_t>(j)].chance;
     const double none = model.deaf() + (1.0 - model.deaf()) * model.quiet() * survival;
-    return {shot.trust * none + (1.0 - shot.trust) * model.quiet(), 0.0};
+    const double silent = shot.trust * none + (1.0 - shot.trust) * model.quiet();
+    return {silent, silent, 0.0};
   }
 
   std::array<Association, ExpectedEchoes::kMax> found;
@@ -96,16 +97,19 @@ Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene:
     const double normalized = innovation * innovation / variance;
     if (normalized < kGate2) {
       const double density = kInvSqrtTwoPi / std::sqrt(variance) * fast_exp(-0.5 * normalized);
-      found[count++] = {survival * e.chance * density, innovation, variance, direction};
+      found[count++] = {survival * e.chance * density, innovation, std::max(own, 0.0) + noise / shot.novelty, direction};
       explained += found[count - 1].weight;
     }
     survival *= 1.0 - e.chance;
     if (e.range < shot.range) survival_at_range = survival;
   }
   const double heard = 1.0 - model.deaf();
-  const double again = survival_at_range * remembered(p, shot, model);
+  double repeated = 0.0;
+  for (const Repeat& r : shot.repeats) repeated += r.density * (1.0 / 255.0) * p.strangers[static_cast<std::size_t>(r.sensor)];
+  const double again = survival_at_range * (repeated + remembered(p, shot, model));
   const double total = heard * (model.quiet() * explained + survival_at_range * model.unexplained(shot.range) + again) + model.ghost_density();
   const double density = std::max(kSmallest, total);
+  const double plan = std::max(kSmallest, total - heard * again);
 
   const double scale = shot.trust * heard * model.quiet() / density;
   double mean_gain = 0.0;
@@ -131,7 +135,9 @@ Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene:
     add_outer(p.cov, shift, -1.0);
     move(p, shift, 1.0);
   }
-  return {shot.trust * density + (1.0 - shot.trust) * model.unexplained(shot.range), mean_gain};
+  const double anything = (1.0 - shot.trust) * model.unexplained(shot.range);
+  p.strangers[static_cast<std::size_t>(shot.sensor)] = static_cast<std::uint8_t>(255.0 * std::clamp(1.0 - mean_gain, 0.0, 1.0));
+  return {shot.trust * density + anything, shot.trust * plan + anything, mean_gain};
 }
 
 void observe_speed(Particle& p, double speed, double variance) noexcept {

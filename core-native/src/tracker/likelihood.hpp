@@ -6,6 +6,7 @@
 #include "scene/scene.hpp"
 #include "tracker/echo_memory.hpp"
 #include "tracker/echo_model.hpp"
+#include "tracker/echo_repeats.hpp"
 #include "tracker/particle.hpp"
 
 namespace echoway::tracker {
@@ -19,7 +20,10 @@ struct Shot {
   bool echo = false;
   bool coarse = false;      ///< Particles stand for cells of headings.
   std::span<const Spot> spots{};  ///< Unmapped things that may have answered.
+  int sensor = 0;
+  std::span<const Repeat> repeats{};  ///< Earlier echoes that this one may repeat.
   double trust = 1.0;       ///< 0: the sensor says nothing, 1: believe the model.
+  double novelty = 1.0;     ///< Share of the reading that is not said again: its error is worth so much less often.
 };
 
 /// An echo that the map lets a particle expect.
@@ -51,6 +55,7 @@ struct ExpectedEchoes {
 /// 1988, section 6.4). Always finite and positive.
 struct Outcome {
   double density = 0.0;
+  double plan = 0.0;        ///< The density if nothing were remembered.
   double mapped = 0.0;      ///< Probability that something in the plan answered.
 };
 [[nodiscard]] Outcome assimilate(Particle& particle, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept;

@@ -196,8 +196,10 @@ void advance(Particle& p, const Interval& interval, const MotionParameters& m, d
   // The mean direction over the interval carries the walk; the final one aims the sensors.
   const SinCos mid = fast_sincos(0.5 * (before + p.heading));
   p.facing = {mid.cos, mid.sin};
-  change_gait(p, dt, m, pace, random);
-  predict(p, dt, m, pace);
+  if (p.gait != Gait::away) {
+    change_gait(p, dt, m, pace, random);
+    predict(p, dt, m, pace);
+  }
   p.heading = wrap_near(p.heading);
   const SinCos end = fast_sincos(p.heading);
   p.facing = {end.cos, end.sin};

@@ -9,7 +9,7 @@ namespace echoway::tracker {
 /// How people walk, and how their phone's sensors see it. Standard deviations; "per root second" ones grow with the root
 /// of time.
 struct MotionParameters {
-  double start_speed = 0.35, start_speed_sigma = 0.40;     ///< m/s, before anything is known.
+  double start_speed = 0.5, start_speed_sigma = 0.30;     ///< m/s, before anything is known.
   double speed_drift = 0.30;             ///< m/s per root second, while the gait is unknown.
   double pace_drift = 0.04;              ///< m/s per root second, while walking,
   double pace_memory = 5.0;              ///< with a return to the wearer's usual pace in so many seconds.
@@ -18,7 +18,7 @@ struct MotionParameters {
   double start_sigma = 0.08;             ///< m/s: how well the usual pace tells the pace of a new start.
   double change_sigma = 0.06;            ///< m along the heading that a start or stop takes or gives.
   double standing_sigma = 0.03;          ///< m/s: shuffling.
-  double sway = 0.025;                   ///< m per root second, any direction: gait, side steps.
+  double sway = 0.04;                    ///< m per root second, any direction: gait, side steps.
   double gyro_bias_sigma = degrees(1.5); ///< rad/s, of an unknown phone.
   double gyro_bias_drift = degrees(0.05);///< rad/s per root second.
   double gyro_noise = degrees(0.8);      ///< rad per root second.

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
+#include "echoway/belt/belt.hpp"
 #include "echoway/building/building.hpp"
 #include "echoway/geometry/vec2.hpp"
 
@@ -19,6 +21,7 @@ enum class Gait : std::uint8_t {
   unknown,    ///< Anything between standing and walking: candidates of the search.
   standing,   ///< Perhaps turning on the spot.
   walking,    ///< Along the heading, at a pace that changes slowly.
+  away,       ///< On stairs or in an elevator: in no room.
 };
 
 /// One hypothesis of a Rao-Blackwellised filter (Doucet et al. 2000): room, gait, heading and what turns it are sampled; given
@@ -35,6 +38,9 @@ struct Particle {
   Vec2 facing{1.0, 0.0};     ///< cos, sin of heading.
   double gyro_bias = 0.0;    ///< rad/s, what the gyroscope reads when nothing turns.
   double turn_rate = 0.0;    ///< rad/s, when no gyroscope tells.
+  double away_s = 0.0;       ///< Seconds since the particle set out on stairs or an elevator,
+  std::int32_t link_end = 0; ///< and on which: an end of LevelLinks.
+  std::array<std::uint8_t, kMaxSensors> strangers{};   ///< Per sensor: chance, of 255, that its last echo came from nothing in the plan.
 };
 
 }  // namespace echoway::tracker

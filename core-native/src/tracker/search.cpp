@@ -11,6 +11,10 @@ namespace {
 
 constexpr double kBodyClearance = 0.12;   // Nobody's axis comes nearer to a wall, metres.
 constexpr double kNowhere = -1e300;
+constexpr double kStandingShare = 0.4;    // Of wearers who do not know where they are.
+constexpr double kDrawnSpeedSigma = 0.15; // Metres a second.
+constexpr double kCellSigma = 0.45;       // Standard deviation of a place within its cell, as a share of the cell's width,
+constexpr double kRefinedSigma = 0.25;    // and of one drawn from it.
 
 bool less_likely_on_top(double a, double b) noexcept { return a > b; }
 
@@ -20,6 +24,7 @@ double replay(Particle& p, const Record& record, const Search::Tools& tools, boo
   const SinCos b = fast_sincos(bearing);
   Shot shot;
   shot.bearing = {b.cos, b.sin};
+  shot.sensor = record.sensor;
   shot.bearing_rad = bearing;
   shot.radius = tools.belt.radius_m;
   shot.range = record.range;
@@ -34,22 +39,25 @@ double replay(Particle& p, const Record& record, const Search::Tools& tools, boo
 
 Search::Search(const scene::Scene& scene, const Parameters& parameters) : parameters_(parameters) {
   survivors_.resize(parameters_.keep);
+  refined_.resize(parameters_.refined);
   for (std::size_t r = 0; r < scene.room_count(); ++r) {
     const auto& room = scene.room(static_cast<RoomIndex>(r));
     area_ += (room.high.x - room.low.x) * (room.high.y - room.low.y);
   }
   const double headings = kTwoPi / parameters_.heading_step;
-  spacing_ = std::max(parameters_.spacing, std::sqrt(area_ * headings / static_cast<double>(parameters_.most_candidates)));
+  const auto spacing_for = [&](double candidates) { return std::sqrt(area_ * headings / candidates); };
+  spacing_ = std::clamp(spacing_for(parameters_.few_candidates), parameters_.closest_spacing, parameters_.spacing);
+  spacing_ = std::max(spacing_, spacing_for(static_cast<double>(parameters_.most_candidates)));
 }
 
-void Search::start(const SearchDomain& domain, std::uint64_t begin, std::uint64_t end) noexcept {
+void Search::start(SearchDomain domain, std::uint64_t begin, std::uint64_t end) noexcept {
   phase_ = Phase::sweeping;
   domain_ = domain;
   begin_ = begin;
   end_ = end;
   room_ = domain.only_room == kNoRoom ? 0 : domain.only_room;
   columns_ = 0;
-  tried_ = count_ = cursor_ = 0;
+  tried_ = count_ = refined_count_ = cursor_ = 0;
   best_.fill(kNowhere);
   turns_ = heading_is_known() ? 5 : static_cast<int>(std::lround(kTwoPi / parameters_.heading_step));
 }
@@ -69,7 +77,8 @@ void Search::enter_room(const Tools& tools) noexcept {
   floor_checked_ = false;
 }
 
-// Whether any of the current room lies within the domain, by its bounding box.
+// Whether any of the current room lies within the domain, by its bounding box. The levels above and below count as near:
+// somebody may have taken the stairs unnoticed.
 bool Search::reachable(const Tools& tools) const noexcept {
   if (!domain_.within) return true;
   const auto& room = tools.scene.room(room_);
@@ -77,7 +86,7 @@ bool Search::reachable(const Tools& tools) const noexcept {
   const Room& near = tools.building.room(domain_.near_room);
   const Vec2 centre = here.frame.inverse_transform(near.frame.transform(domain_.near_position));
   const Vec2 closest{std::clamp(centre.x, room.low.x, room.high.x), std::clamp(centre.y, room.low.y, room.high.y)};
-  return here.level == near.level && distance(centre, closest) <= *domain_.within;
+  return distance(centre, closest) <= *domain_.within;
 }
 
 bool Search::worth_trying(const Tools& tools, Vec2 position) const noexcept {
@@ -135,10 +144,9 @@ void Search::keep(const Survivor& survivor) noexcept {
   }
 }
 
-std::size_t Search::try_candidate(const Tools& tools, Vec2 position, double heading) noexcept {
-  Survivor s;
-  Particle& p = s.particle;
-  p.room = room_;
+Particle Search::candidate(const Tools& tools, RoomIndex room, Vec2 position, double heading, double sigma) const noexcept {
+  Particle p;
+  p.room = room;
   p.position = position;
   p.heading = wrap_near(heading);
   const SinCos f = fast_sincos(p.heading);
@@ -146,35 +154,43 @@ std::size_t Search::try_candidate(const Tools& tools, Vec2 position, double head
   p.speed = tools.motion.start_speed;
   p.gyro_bias = tools.gyro_bias;
   p.log_scale = tools.log_scale;
-  const double sigma = 0.45 * spacing_;
   p.cov.xx = p.cov.yy = sigma * sigma;
   p.cov.ss = tools.motion.start_speed_sigma * tools.motion.start_speed_sigma;
   p.cov.kk = tools.log_scale_sigma * tools.log_scale_sigma;
+  return p;
+}
+
+std::size_t Search::try_candidate(const Tools& tools, Vec2 position, double heading) noexcept {
+  Particle p = candidate(tools, room_, position, heading, kCellSigma * spacing_);
+  Survivor s{room_, position, heading, 0.0};
   std::size_t spent = 0;
   for (std::uint64_t n = begin_; n < end_; ++n) {
     const std::size_t at = static_cast<std::size_t>(n - begin_);
-    Record record = tools.history[n];
-    if (at == 0) record.interval = {};
-    s.log_likelihood += replay(p, record, tools, true);
+    s.log_likelihood += replay(p, from_begin(tools.history, n), tools, true);
     ++spent;
     if (at < kCheckpoints) {
       if (s.log_likelihood < best_[at] - parameters_.give_up) return spent;
       best_[at] = std::max(best_[at], s.log_likelihood);
     }
   }
-  s.next = end_;
   keep(s);
   return spent;
 }
 
-bool Search::work(const Tools& tools) noexcept {
+Record Search::from_begin(const History& history, std::uint64_t number) const noexcept {
+  Record record = history[number];
+  if (number == begin_) record.interval = {};
+  return record;
+}
+
+bool Search::work(const Tools& tools, Random& random) noexcept {
   std::size_t spent = 0;
-  while (phase_ == Phase::sweeping && spent < parameters_.budget) {
+  while (phase_ == Phase::sweeping && spent < budget()) {
     Vec2 position;
     double heading = 0.0;
     if (!next_candidate(tools, position, heading)) {
-      phase_ = Phase::catching_up;
-      cursor_ = 0;
+      draw_from_survivors(tools, random);
+      phase_ = Phase::refining;
       break;
     }
     ++tried_;
@@ -182,22 +198,53 @@ bool Search::work(const Tools& tools) noexcept {
     spent += try_candidate(tools, position, heading);
     spent += parameters_.cell_cost * (tools.scene.cells_compiled() - compiled);
   }
-  if (phase_ == Phase::catching_up && spent < parameters_.budget) return catch_up(tools, parameters_.budget - spent);
-  return false;
+  return phase_ == Phase::refining && spent < budget() && refine(tools, budget() - spent);
 }
 
-bool Search::catch_up(const Tools& tools, std::size_t budget) noexcept {
+// Survivors are drawn by the root of their likelihood: a coarse one is not to be trusted fully.
+void Search::draw_from_survivors(const Tools& tools, Random& random) noexcept {
+  cursor_ = refined_count_ = 0;
+  if (count_ == 0) return;
+  double best = kNowhere;
+  for (std::size_t i = 0; i < count_; ++i) best = std::max(best, survivors_[i].log_likelihood);
+  const auto flattened = [&](std::size_t i) { return fast_exp(0.5 * (survivors_[i].log_likelihood - best)); };
+  double sum = 0.0;
+  for (std::size_t i = 0; i < count_; ++i) sum += flattened(i);
+  refined_count_ = is_local() ? parameters_.refined_locally : parameters_.refined;
+  const double step = sum / static_cast<double>(refined_count_);
+  double at = random.uniform() * step;
+  double reached = flattened(0);
+  std::size_t i = 0;
+  for (std::size_t n = 0; n < refined_count_; ++n, at += step) {
+    while (reached < at && i + 1 < count_) reached += flattened(++i);
+    const Survivor& s = survivors_[i];
+    const Vec2 off{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5)};
+    const double heading = s.heading + random.uniform(-0.5, 0.5) * heading_cell();
+    refined_[n].particle = candidate(tools, s.room, s.position + spacing_ * off, heading, kRefinedSigma * spacing_);
+    Particle& p = refined_[n].particle;
+    p.gait = random.uniform() < kStandingShare ? Gait::standing : Gait::walking;
+    p.speed = p.gait == Gait::standing ? 0.0 : tools.motion.start_speed + tools.motion.start_speed_sigma * cheap_normal(random);
+    const double sigma = p.gait == Gait::standing ? tools.motion.standing_sigma : kDrawnSpeedSigma;
+    p.cov.ss = sigma * sigma;
+    // Prior over proposal.
+    refined_[n].log_weight = fast_log(sum) - 0.5 * (s.log_likelihood - best);
+    refined_[n].next = begin_;
+  }
+}
+
+bool Search::refine(const Tools& tools, std::size_t budget) noexcept {
+  const auto bring_up = [&](Refined& r) {
+    std::size_t spent = 0;
+    for (; r.next < tools.history.end(); ++r.next, ++spent) {
+      r.log_weight += replay(r.particle, from_begin(tools.history, r.next), tools, false);
+    }
+    return spent;
+  };
   std::size_t spent = 0;
-  for (; cursor_ < count_ && spent < budget; ++cursor_) {
-    Survivor& s = survivors_[cursor_];
-    for (; s.next < tools.history.end(); ++s.next, ++spent) s.log_likelihood += replay(s.particle, tools.history[s.next], tools, true);
-  }
-  if (cursor_ < count_) return false;
+  for (; cursor_ < refined_count_ && spent < budget; ++cursor_) spent += bring_up(refined_[cursor_]);
+  if (cursor_ < refined_count_) return false;
   // Those that were brought up in earlier slices may lag a few firings behind.
-  for (std::size_t i = 0; i < count_; ++i) {
-    Survivor& s = survivors_[i];
-    for (; s.next < tools.history.end(); ++s.next) s.log_likelihood += replay(s.particle, tools.history[s.next], tools, true);
-  }
+  for (std::size_t i = 0; i < refined_count_; ++i) bring_up(refined_[i]);
   finish(tools);
   return true;
 }
@@ -219,32 +266,30 @@ double Search::log_prior(const Particle& p, const Building& building) const noex
 
 void Search::finish(const Tools& tools) noexcept {
   phase_ = Phase::done;
-  for (std::size_t i = 0; i < count_; ++i) survivors_[i].log_likelihood += log_prior(survivors_[i].particle, tools.building);
   double best = kNowhere;
-  for (std::size_t i = 0; i < count_; ++i) best = std::max(best, survivors_[i].log_likelihood);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < count_; ++i) {
-    survivors_[i].particle.weight = fast_exp(survivors_[i].log_likelihood - best);
-    sum += survivors_[i].particle.weight;
+  for (std::size_t i = 0; i < refined_count_; ++i) {
+    refined_[i].log_weight += log_prior(refined_[i].particle, tools.building);
+    best = std::max(best, refined_[i].log_weight);
   }
-  log_evidence_ = count_ == 0 ? kNowhere : best + fast_log(sum) - fast_log(static_cast<double>(std::max<std::size_t>(tried_, 1)));
+  double sum = 0.0;
+  for (std::size_t i = 0; i < refined_count_; ++i) {
+    refined_[i].particle.weight = fast_exp(refined_[i].log_weight - best);
+    sum += refined_[i].particle.weight;
+  }
+  const double drawn = static_cast<double>(std::max<std::size_t>(refined_count_, 1));
+  log_evidence_ = sum > 0.0 ? best + fast_log(sum / drawn) - fast_log(static_cast<double>(std::max<std::size_t>(tried_, 1))) : kNowhere;
 }
 
 void Search::take(Population& out, Random& random, const MotionParameters& motion) noexcept {
+  phase_ = Phase::idle;
   out.clear();
-  for (std::size_t i = 0; i < count_; ++i) out.push(survivors_[i].particle);
+  for (std::size_t i = 0; i < refined_count_; ++i) out.push(refined_[i].particle);
   if (out.empty()) return;
   out.normalize();
-  out.resample(out.capacity(), random);
-  const double half_step = 0.5 * (heading_is_known() ? domain_.heading_sigma : parameters_.heading_step);
+  out.resample(out.size(), random);
   for (Particle& p : out.particles()) {
-    p.heading = wrap_near(p.heading + random.uniform(-half_step, half_step));
-    const SinCos f = fast_sincos(p.heading);
-    p.facing = {f.cos, f.sin};
     p.gyro_bias += motion.gyro_bias_sigma * cheap_normal(random);
-    settle_gait(p, motion, random);
   }
-  phase_ = Phase::idle;
 }
 
 }  // namespace echoway::tracker

@@ -17,21 +17,29 @@ struct SearchDomain {
   double heading_sigma = degrees(6.0);
   RoomIndex near_room = kNoRoom;              ///< When set, places near this one are likelier than elsewhere.
   Vec2 near_position{};                       ///< In that room's frame.
-  std::optional<double> within;               ///< Metres: look no farther from there, on the same level,
+  std::optional<double> within;               ///< Metres: look no farther from there, on any level,
   std::optional<double> near_heading;         ///< and, when set, only about this heading (that room's frame).
 };
 
-/// Looks for the wearer over a whole building: a grid of positions and headings is replayed through a window of recent
-/// firings, each candidate a coarse particle, dropped as soon as it falls hopelessly behind the best. The work is cut
-/// into slices, so that one firing never costs more than its budget; survivors are brought up to the present at the end.
+/// Looks for the wearer over a whole building. First a sweep: a grid of positions and headings is replayed through a window
+/// of recent firings, each candidate a coarse particle that stands for its cell, dropped as soon as it falls hopelessly
+/// behind the best. Then a refinement: particles drawn from the survivors' cells are replayed up to the present with the
+/// beam as sharp as it is, and weighted by importance (Doucet et al. 2000, section 2). The work is cut into slices, so that
+/// one firing never costs more than its budget.
 class Search {
  public:
   struct Parameters {
-    double spacing = 0.36;               ///< Metres between positions.
+    double spacing = 0.36;               ///< Metres between positions; less where there is little floor to search, ...
+    double closest_spacing = 0.18;       ///< ... down to this, as long as there are no more candidates than ...
+    double few_candidates = 60000;       ///< ... so many.
     double heading_step = degrees(10.0);
     double give_up = 13.0;               ///< Log likelihood behind the best at the same firing.
-    std::size_t keep = 1024;             ///< Survivors.
+    std::size_t keep = 1024;             ///< Survivors of the sweep.
+    std::size_t refined = 2400;          ///< Particles drawn from them ...
+    std::size_t refined_locally = 600;   ///< ... and of a search that only looks about a place.
     std::size_t budget = 14000;          ///< Likelihoods evaluated per slice ...
+    std::size_t second_budget = 12000;   ///< The same while some place is believed in already,
+    std::size_t local_budget = 4000;     ///< and of a search that only looks about it.
     std::size_t cell_cost = 150;         ///< ... of which a cell that must first be compiled costs this many.
     std::size_t most_candidates = 1500000;
   };
@@ -39,9 +47,9 @@ class Search {
   Search(const scene::Scene& scene, const Parameters& parameters);
 
   /// Starts over the firings [`begin`, `end`) of the history. No allocation.
-  void start(const SearchDomain& domain, std::uint64_t begin, std::uint64_t end) noexcept;
+  void start(SearchDomain domain, std::uint64_t begin, std::uint64_t end) noexcept;
   void stop() noexcept { phase_ = Phase::idle; }
-  [[nodiscard]] bool running() const noexcept { return phase_ == Phase::sweeping || phase_ == Phase::catching_up; }
+  [[nodiscard]] bool running() const noexcept { return phase_ == Phase::sweeping || phase_ == Phase::refining; }
 
   struct Tools {
     const EchoModel& model;
@@ -54,21 +62,28 @@ class Search {
     double log_scale_sigma;
     double gyro_bias;
   };
-  /// Works for one slice. Returns true when the survivors stand at the present and may be taken.
-  bool work(const Tools& tools) noexcept;
+  /// Works for one slice. Returns true when what was found stands at the present and may be taken.
+  bool work(const Tools& tools, Random& random) noexcept;
 
-  /// Puts the survivors into `out`, weighted; at most its capacity.
+  /// Puts what was found into `out`, equally weighted; at most its capacity.
   void take(Population& out, Random& random, const MotionParameters& motion) noexcept;
+  [[nodiscard]] const SearchDomain& domain() const noexcept { return domain_; }
   [[nodiscard]] bool is_local() const noexcept { return domain_.within.has_value(); }
   /// Log of the mean likelihood of the window's firings (up to the present) over the whole domain.
   [[nodiscard]] double log_evidence() const noexcept { return log_evidence_; }
   [[nodiscard]] std::uint64_t window_begin() const noexcept { return begin_; }
 
  private:
-  enum class Phase { idle, sweeping, catching_up, done };
+  enum class Phase { idle, sweeping, refining, done };
   struct Survivor {
-    Particle particle;
+    RoomIndex room = kNoRoom;
+    Vec2 position{};                     ///< Of its cell's centre at the window's begin.
+    double heading = 0.0;
     double log_likelihood = 0.0;
+  };
+  struct Refined {
+    Particle particle;
+    double log_weight = 0.0;
     std::uint64_t next = 0;              ///< First firing not yet replayed.
   };
 
@@ -79,11 +94,22 @@ class Search {
   void enter_room(const Tools& tools) noexcept;
   [[nodiscard]] bool reachable(const Tools& tools) const noexcept;
   [[nodiscard]] bool worth_trying(const Tools& tools, Vec2 position) const noexcept;
+  [[nodiscard]] Particle candidate(const Tools& tools, RoomIndex room, Vec2 position, double heading, double sigma) const noexcept;
+  [[nodiscard]] Record from_begin(const History& history, std::uint64_t number) const noexcept;
   [[nodiscard]] std::size_t try_candidate(const Tools& tools, Vec2 position, double heading) noexcept;
   void keep(const Survivor& survivor) noexcept;
-  bool catch_up(const Tools& tools, std::size_t budget) noexcept;
+  void draw_from_survivors(const Tools& tools, Random& random) noexcept;
+  bool refine(const Tools& tools, std::size_t budget) noexcept;
+  [[nodiscard]] double heading_cell() const noexcept {
+    return heading_is_known() ? domain_.heading_sigma : parameters_.heading_step;
+  }
   void finish(const Tools& tools) noexcept;
   [[nodiscard]] double log_prior(const Particle& particle, const Building& building) const noexcept;
+
+  [[nodiscard]] std::size_t budget() const noexcept {
+    if (heading_is_known()) return parameters_.local_budget;
+    return domain_.near_room == kNoRoom ? parameters_.budget : parameters_.second_budget;
+  }
 
   Parameters parameters_;
   double spacing_ = 0.0;
@@ -105,6 +131,8 @@ class Search {
   std::size_t tried_ = 0;
   std::vector<Survivor> survivors_;      ///< A heap, the least likely on top, while sweeping.
   std::size_t count_ = 0;
+  std::vector<Refined> refined_;
+  std::size_t refined_count_ = 0;
   std::size_t cursor_ = 0;
   double log_evidence_ = 0.0;
 };

@@ -7,12 +7,26 @@
 
 namespace echoway {
 
+/// The tracker's parts. All of them belong to it; the report switches one off at a time to show what it buys.
+struct TrackerParts {
+  bool silence = true;           ///< A missing echo is evidence.
+  bool rough_walls = true;       ///< Near walls may answer askew.
+  bool mirrored_corners = true;  ///< Corners are heard by way of walls.
+  bool repeats = true;           ///< What answered a moment ago answers again.
+  bool memory = true;            ///< Unmapped furniture is remembered.
+  bool novelty = true;           ///< A resting sensor's evidence counts once.
+  bool sound_speed = true;       ///< The scale of ranges is estimated.
+  bool recovery = true;          ///< Other places are searched when the echoes fit badly.
+  bool probation = true;         ///< What was found must prove itself before it is believed.
+};
+
 struct BayesOptions {
   std::uint64_t seed = 1;
   /// Particles while the wearer's place is known, with and without a gyroscope. The tracker takes more by itself while the
   /// place is uncertain.
-  int particles = 240;
+  int particles = 150;
   int particles_without_gyroscope = 800;
+  TrackerParts parts{};
 };
 
 /// The default method: a Rao-Blackwellised particle filter over room, position, heading, speed and sound-speed scale for
@@ -27,6 +41,7 @@ class BayesLocator final : public Locator {
   bool on_firing(const Firing& firing) override;
   void on_motion(const MotionHint& hint) override;
   void on_temperature(double celsius) override;
+  void on_level_transition(const LevelTransition& transition) override;
   [[nodiscard]] const Estimate& estimate() const override;
   [[nodiscard]] std::span<const Hypothesis> hypotheses() const override;
   [[nodiscard]] std::span<const SensorSuspicion> suspicions() const override;

@@ -1,0 +1,253 @@
+#include "tracker/bayes_core.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracker/elementary.hpp"
+#include "tracker/floor.hpp"
+
+namespace echoway {
+
+using namespace tracker;
+
+namespace {
+
+constexpr std::size_t kParticlesPerCell = 14;     // While several places are possible.
+constexpr std::size_t kSettledCells = 10;         // A belief this narrow takes the tracking number of particles.
+constexpr double kPerhapsAway = 0.2;
+constexpr std::size_t kAwayParticles = 800;       // Few of them arrive at the right moment and facing the right way.
+constexpr double kLongestInterval = 3.0;          // Seconds that are still walked through; longer ones are a break.
+constexpr double kTemperatureSigma = 0.006;       // ln of speed: 3.5 K, a thermometer against the body.
+constexpr double kLeastScaleSigma = 0.004;
+constexpr double kPlanExplains = 0.52;
+constexpr double kShareGain = 1.0 / 24.0;
+constexpr double kSurelyUnmapped = 0.6;
+constexpr double kSureEnough = 0.35;              // Metres.
+constexpr double kBeyondArms = 0.40;              // Metres.
+constexpr double kPaceGain = 1.0 / 160.0;         // Per firing: ten seconds of walking.
+constexpr double kSure = 0.9;                     // Probability of the place from which on it is tracked,
+constexpr double kSharp = 1.0;                    // and its standard deviation in metres.
+
+double tempered(double density, double share) noexcept {
+  return share < 1.0 ? fast_exp(share * fast_log(density)) : density;
+}
+
+Shot with_full_trust(Shot shot) noexcept {
+  shot.trust = 1.0;
+  return shot;
+}
+
+}  // namespace
+
+void BayesLocator::Core::on_motion(const MotionHint& hint) {
+  hints_.on_hint(hint);
+  // Only the first search takes a compass at its word: it drifts, and a search that follows a loss must not be misled.
+  if (main_.empty() && hint.kind == MotionKind::heading && std::isfinite(hint.value)) compass_ = wrap_angle(hint.value);
+}
+
+void BayesLocator::Core::on_temperature(double celsius) {
+  if (!options_.parts.sound_speed || !(celsius > -40.0 && celsius < 60.0)) return;
+  // Sound that is faster than assumed makes ranges come out short.
+  const double log_scale = std::log(speed_of_sound(belt_.temperature_c) / speed_of_sound(celsius));
+  if (main_.empty()) {
+    log_scale_ = log_scale;
+    log_scale_sigma_ = kTemperatureSigma;
+    return;
+  }
+  for (Particle& p : main_.particles()) {
+    if (p.cov.kk > kTemperatureSigma * kTemperatureSigma) observe_log_scale(p, log_scale, kTemperatureSigma * kTemperatureSigma);
+  }
+}
+
+bool BayesLocator::Core::on_firing(const Firing& firing) {
+  if (firing.sensor < 0 || firing.sensor >= belt_.sensors || !std::isfinite(firing.time_s) || std::isnan(firing.range_m)) return false;
+  double seconds = 0.0;
+  if (!tell_time(firing.time_s, seconds)) return false;
+  history_.push(take_down(firing, seconds));
+  Record& record = history_.back();
+
+  const auto gait = hints_.take_gait_evidence(firing.time_s, record.interval.seconds);
+  if (!main_.empty()) track(record, gait);
+  if (model_ == &deafened_ && record.echo && record.range > kHardOfHearingRange && hears_far()) model_ = &keen_;
+  pursue_search();
+  if (!main_.empty()) thin_out(main_);
+  if (rival_.present()) thin_out(rival_.population());
+  conclude(firing.time_s);
+  remember(record);
+  if (record.echo) repeats_.note(belt_, record.sensor, record.range, last_time_);
+  const bool certain = estimate_.state == TrackState::tracking && !fit_.doubtful();
+  health_.judge(record.sensor, record.echo, record.range, novelty_.progress(), certain ? unmapped_ : 0.0);
+  return true;
+}
+
+// One late row is dropped; a clock that was set back is followed.
+bool BayesLocator::Core::tell_time(double time_s, double& seconds) {
+  seconds = clock_set_ ? time_s - last_time_ : 0.0;
+  if (seconds < 0.0) {
+    if (++backwards_ < 2 * belt_.sensors) return false;
+    seconds = belt_.slot_s;
+    hints_.reset_clock();
+  }
+  backwards_ = 0;
+  clock_set_ = true;
+  last_time_ = time_s;
+  return true;
+}
+
+Record BayesLocator::Core::take_down(const Firing& firing, double seconds) {
+  Record record;
+  record.interval = hints_.close(firing.time_s, std::min(seconds, kLongestInterval));
+  record.sensor = firing.sensor;
+  record.echo = firing.has_echo() && firing.range_m < belt_.max_range_m * 1.1;
+  record.range = std::max(firing.range_m, 0.01);
+  record.trust = health_.trust(firing.sensor, record.echo);
+  if (!options_.parts.silence && !record.echo) record.trust = 0.0;
+  gyro_ = record.interval.turn_known;
+  follow_movement(record.interval);
+  const double novelty = novelty_.of(firing.sensor);
+  record.novelty = options_.parts.novelty && !main_.empty() ? novelty : 1.0;
+  return record;
+}
+
+void BayesLocator::Core::follow_movement(const Interval& interval) {
+  const double seen = wrap_angle(estimate_.pose.heading - last_heading_);
+  const double turn = interval.turn_known ? interval.turn - summary_.gyro_bias * interval.seconds : seen;
+  const double forward = estimate_.speed_mps * interval.seconds;
+  last_heading_ = estimate_.pose.heading;
+  novelty_.move(std::abs(forward), std::abs(turn));
+  repeats_.move(forward, turn);
+}
+
+Shot BayesLocator::Core::aim(const Record& record) const {
+  Shot shot;
+  shot.sensor = record.sensor;
+  shot.bearing = bearings_[static_cast<std::size_t>(record.sensor)];
+  shot.bearing_rad = belt_.bearing(record.sensor);
+  shot.radius = belt_.radius_m;
+  shot.range = record.range;
+  shot.echo = record.echo;
+  shot.trust = record.trust;
+  shot.novelty = record.novelty;
+  return shot;
+}
+
+// One firing for the belief and for its rival, if there is one.
+void BayesLocator::Core::track(Record& record, const HintIntegrator::GaitEvidence& gait) {
+  Shot shot = aim(record);
+  const bool tracked = record.echo && estimate_.state == TrackState::tracking;
+  if (record.echo && options_.parts.repeats) shot.repeats = repeats_.match(belt_, record.sensor, record.range, last_time_);
+  Shot remembering = shot;
+  // A lost tracker would explain everything by furniture: memory serves only while the plan explains most echoes.
+  if (tracked && options_.parts.memory && mapped_share_ > kPlanExplains) remembering.spots = recall(shot);
+  const Verdict verdict = update(main_, record, gait, remembering);
+  unmapped_ = tracked ? 1.0 - verdict.mapped : 0.0;
+  if (tracked && record.range > kBeyondArms) mapped_share_ += kShareGain * (verdict.mapped - mapped_share_);
+  record.log_main = record.novelty * verdict.log_plan;
+  if (record.trust > 0.5) fit_.observe(verdict.log_plan, record.echo, record.range);
+  if (!rival_.present()) return;
+  const double log_rival = record.novelty * update(rival_.population(), record, gait, shot).log_plan;
+  settle_probation(rival_.judge(record.log_main, log_rival));
+}
+
+// Predicts, weighs and corrects every particle.
+BayesLocator::Core::Verdict BayesLocator::Core::update(Population& population, const Record& record,
+                                                       const HintIntegrator::GaitEvidence& gait, const Shot& shot) {
+  double mapped = 0.0;
+  double plan = 0.0;
+  double before = 0.0;
+  const double anywhere = record.trust > 0.0 ? fit_.anywhere(record.echo, record.range) : 1.0;
+  for (Particle& p : population.particles()) {
+    advance(p, record.interval, motion_, pace_, random_);
+    if (!links_.none()) links_.step(p, last_time_, record.interval.seconds, record.interval.turn_known, random_);
+    const bool stepping = p.gait == Gait::walking || (p.gait == Gait::away && links_.on_stairs(p));
+    p.weight *= stepping ? gait.walking : gait.standing;
+    before += p.weight;
+    if (p.gait == Gait::away) {
+      const double density = density_away(p, shot, anywhere);
+      plan += p.weight * density;
+      p.weight *= tempered(density, record.novelty);
+      continue;
+    }
+    if (record.trust > 0.0) {
+      const Outcome outcome = assimilate(p, shot, *model_, scene_);
+      mapped += p.weight * outcome.mapped;
+      plan += p.weight * outcome.plan;
+      p.weight *= tempered(outcome.density, record.novelty);
+    } else {
+      // A suspect sensor moves nothing, but whether the plan explains it again must be known to acquit it.
+      Particle untouched = p;
+      mapped += p.weight * assimilate(untouched, with_full_trust(shot), *model_, scene_).mapped;
+      plan += p.weight;
+    }
+    p.weight *= settle_on_floor(p, scene_);
+  }
+  population.normalize();
+  if (!(before > 0.0)) return {};
+  return {fast_log(plan) - fast_log(before), mapped / before};
+}
+
+// On stairs the walls of the stairwell still stand beside the wearer, as far as anybody can tell; in an elevator nothing in
+// the plan does.
+double BayesLocator::Core::density_away(const Particle& p, const Shot& shot, double anywhere) {
+  if (shot.trust <= 0.0 || !links_.on_stairs(p)) return anywhere;
+  Particle beside = p;
+  return 0.5 * (anywhere + assimilate(beside, shot, *model_, scene_).density);
+}
+
+std::span<const Spot> BayesLocator::Core::recall(const Shot& shot) {
+  const Vec2 axis = unit_from_angle(estimate_.pose.heading + shot.bearing_rad);
+  return memory_.recall(estimate_.room, estimate_.pose.position + shot.radius * axis, axis, shot.range * estimate_.sound_speed_scale);
+}
+
+// What answered though the plan has nothing there is remembered where the wearer's place is well known.
+void BayesLocator::Core::remember(const Record& record) {
+  if (!record.echo || unmapped_ < kSurelyUnmapped || estimate_.state != TrackState::tracking) return;
+  if (estimate_.sigma_m > kSureEnough || record.range < kBeyondArms) return;
+  const Shot shot = aim(record);
+  const Vec2 axis = unit_from_angle(estimate_.pose.heading + shot.bearing_rad);
+  const double reach = shot.radius + record.range * estimate_.sound_speed_scale;
+  memory_.note(estimate_.room, estimate_.pose.position + reach * axis, unmapped_, estimate_.time_s);
+}
+
+void BayesLocator::Core::thin_out(Population& population) {
+  const auto settled = static_cast<std::size_t>(gyro_ ? options_.particles : options_.particles_without_gyroscope);
+  const double n = static_cast<double>(population.size());
+  const bool shrink = population.size() > settled + settled / 4;
+  const double effective = population.effective_size();
+  if (effective > 0.5 * n && !(shrink && history_.end() % 4 == 0)) return;
+  const std::size_t cells = population.occupied_cells();
+  std::size_t target = settled;
+  if (away_ > kPerhapsAway) target = std::max(target, kAwayParticles);
+  if (cells > kSettledCells) target = std::max(target, kParticlesPerCell * cells);
+  target = std::max(target, static_cast<std::size_t>(fit_.doubt() * static_cast<double>(settled)));
+  target = std::min(target, population.capacity());
+  if (effective > 0.5 * n && target >= population.size()) return;
+  population.resample(target, random_);
+}
+
+void BayesLocator::Core::conclude(double time_s) {
+  estimate_.time_s = time_s;
+  if (main_.empty()) return;
+  summary_ = summarize(main_.particles(), building_, SummaryParameters{});
+  estimate_ = summary_.best;
+  estimate_.time_s = time_s;
+  if (summary_.walking > kSure && summary_.hypotheses[0].probability > kSure) {
+    pace_ = std::clamp(pace_ + kPaceGain * (summary_.pace - pace_), 0.2, 1.8);
+  }
+  log_scale_ = summary_.log_scale;
+  log_scale_sigma_ = std::max(summary_.log_scale_sigma, kLeastScaleSigma);
+  away_ = 0.0;
+  if (!links_.none()) {
+    for (const Particle& p : main_.particles()) away_ += p.gait == Gait::away ? p.weight : 0.0;
+  }
+  estimate_.state = state();
+}
+
+TrackState BayesLocator::Core::state() const {
+  if (away_ > 0.5) return TrackState::searching;
+  if (fit_.poor()) return TrackState::lost;
+  const bool tracking = summary_.hypotheses[0].probability > kSure && estimate_.sigma_m < kSharp;
+  return tracking ? TrackState::tracking : TrackState::searching;
+}
+
+}  // namespace echoway

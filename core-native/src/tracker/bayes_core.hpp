@@ -1,0 +1,121 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "echoway/tracker/bayes_locator.hpp"
+#include "tracker/echo_memory.hpp"
+#include "tracker/echo_repeats.hpp"
+#include "tracker/fit_monitor.hpp"
+#include "tracker/history.hpp"
+#include "tracker/level_links.hpp"
+#include "tracker/likelihood.hpp"
+#include "tracker/motion.hpp"
+#include "tracker/novelty.hpp"
+#include "tracker/population.hpp"
+#include "tracker/rival.hpp"
+#include "tracker/search.hpp"
+#include "tracker/sensor_health.hpp"
+#include "tracker/summary.hpp"
+
+namespace echoway {
+
+/// The tracker's parts and how they play together. Starting is in bayes_start.cpp, a firing's way in bayes_core.cpp,
+/// searching and recovering in bayes_recovery.cpp.
+class BayesLocator::Core {
+ public:
+  Core(const Building& building, const BeltConfig& belt, const Start& start, const BayesOptions& options);
+
+  bool on_firing(const Firing& firing);
+  void on_motion(const MotionHint& hint);
+  void on_temperature(double celsius);
+  void on_level_transition(const LevelTransition& transition) { links_.expect(transition); }
+
+  [[nodiscard]] const Estimate& estimate() const noexcept { return estimate_; }
+  [[nodiscard]] const tracker::Summary& summary() const noexcept { return summary_; }
+  [[nodiscard]] std::span<const SensorSuspicion> suspicions() const noexcept { return health_.suspicions(); }
+
+ private:
+  // Starting.
+  void begin();
+  void place_known(const Pose2& pose, RoomIndex room, bool heading_known);
+  void describe_ignorance();
+
+  // A firing.
+  [[nodiscard]] bool tell_time(double time_s, double& seconds);
+  [[nodiscard]] tracker::Record take_down(const Firing& firing, double seconds);
+  void follow_movement(const tracker::Interval& interval);
+  [[nodiscard]] tracker::Shot aim(const tracker::Record& record) const;
+  /// What a population made of a reading.
+  struct Verdict {
+    double log_plan = 0.0;    ///< Log density of the reading by the plan alone.
+    double mapped = 0.0;      ///< Probability that something in the plan answered.
+  };
+  Verdict update(tracker::Population& population, const tracker::Record& record,
+                 const tracker::HintIntegrator::GaitEvidence& gait, const tracker::Shot& shot);
+  [[nodiscard]] double density_away(const tracker::Particle& p, const tracker::Shot& shot, double anywhere);
+  void track(tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait);
+  void thin_out(tracker::Population& population);
+  [[nodiscard]] std::span<const tracker::Spot> recall(const tracker::Shot& shot);
+  void remember(const tracker::Record& record);
+  void conclude(double time_s);
+  [[nodiscard]] TrackState state() const;
+
+  // Searching and recovering.
+  void pursue_search();
+  void start_first_search();
+  void start_recovery();
+  void conclude_first_search();
+  void challenge();
+  void settle_probation(tracker::Rival::Verdict verdict);
+  void note_failed_search();
+  [[nodiscard]] double handicap() const;
+  [[nodiscard]] bool hears_far() const;
+  [[nodiscard]] tracker::Search::Tools tools() const;
+
+  const Building& building_;
+  BeltConfig belt_;
+  Start start_;
+  BayesOptions options_;
+  tracker::EchoModel keen_;
+  tracker::EchoModel deafened_;                ///< Of a belt that hears only what is near.
+  const tracker::EchoModel* model_ = &keen_;   ///< Whichever explains this belt.
+  enum class HearingTest { due, running, done } hearing_test_ = HearingTest::due;
+  double log_evidence_keen_ = 0.0;
+  mutable scene::Scene scene_;
+  tracker::MotionParameters motion_;
+  Random random_;
+  tracker::Population main_;
+  tracker::Rival rival_;
+  tracker::Search search_;
+  tracker::SensorHealth health_;
+  tracker::History history_;
+  tracker::HintIntegrator hints_;
+  tracker::FitMonitor fit_;
+  tracker::LevelLinks links_;
+  tracker::EchoMemory memory_;
+  tracker::EchoRepeats repeats_;
+  tracker::Novelty novelty_;
+  double away_ = 0.0;               ///< Probability that the wearer is on stairs or in an elevator.
+  double mapped_share_ = 0.0;       ///< Of recent echoes that something in the plan explains.
+  double unmapped_ = 0.0;           ///< Probability that the last echo came from nothing in the plan.
+  std::array<Vec2, kMaxSensors> bearings_{};
+  double last_heading_ = 0.0;
+  std::optional<double> compass_;   ///< What it said last before the first search, in the levels' frames.
+
+  bool clock_set_ = false;
+  double last_time_ = 0.0;
+  int backwards_ = 0;
+  bool gyro_ = false;
+  double pace_ = 0.55;              ///< Usual walking speed, learnt.
+  double log_scale_ = 0.0;
+  double log_scale_sigma_ = 0.0;
+  int failed_circles_ = 0;          ///< Searches in a row that found nothing, each wider than the one before.
+  std::uint64_t no_search_before_ = 0;
+
+  Estimate estimate_;
+  tracker::Summary summary_;
+};
+
+}  // namespace echoway

@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <cmath>
+
+#include "tracker/bayes_core.hpp"
+#include "tracker/elementary.hpp"
+
+namespace echoway {
+
+using namespace tracker;
+
+namespace {
+
+constexpr double kStartPositionSigma = 0.30;      // Metres: what "here" means to whoever says it.
+constexpr double kStartHeadingSigma = degrees(6.0);
+constexpr double kStartSpeedSigma = 0.2;          // Metres a second, of one who walks.
+constexpr std::size_t kFacing = 400;              // Particles of a start whose heading is known,
+constexpr std::size_t kAllRound = 1800;           // and of one whose heading is not.
+constexpr std::size_t kCapacity = 2400;
+constexpr std::size_t kRivalCapacity = 600;
+constexpr double kUsuallyMapped = 0.7;
+
+EchoModelParameters echo_parameters(const TrackerParts& parts) {
+  EchoModelParameters p;
+  if (!parts.rough_walls) p.rough = 0.0;
+  if (!parts.mirrored_corners) p.detect_mirrored = 0.0;
+  return p;
+}
+
+MotionParameters motion_parameters(const TrackerParts& parts) {
+  MotionParameters p;
+  if (!parts.sound_speed) p.scale_sigma = p.scale_drift = 1e-6;
+  return p;
+}
+
+}  // namespace
+
+BayesLocator::Core::Core(const Building& building, const BeltConfig& belt, const Start& start, const BayesOptions& options)
+    : building_(building),
+      belt_(belt),
+      start_(start),
+      options_(options),
+      keen_(belt, echo_parameters(options.parts)),
+      deafened_(belt, hard_of_hearing(echo_parameters(options.parts))),
+      scene_(building, keen_.sight_limits()),
+      motion_(motion_parameters(options.parts)),
+      random_(options.seed),
+      main_(kCapacity),
+      rival_(kRivalCapacity),
+      search_(scene_, Search::Parameters{}),
+      health_(belt.sensors),
+      links_(building),
+      mapped_share_(kUsuallyMapped),
+      log_scale_sigma_(motion_.scale_sigma) {
+  for (int i = 0; i < belt.sensors; ++i) {
+    const double b = belt.bearing(i);
+    bearings_[static_cast<std::size_t>(i)] = {std::cos(b), std::sin(b)};
+  }
+  begin();
+}
+
+void BayesLocator::Core::begin() {
+  if (start_.room && (*start_.room < 0 || *start_.room >= static_cast<RoomIndex>(building_.rooms.size()))) start_ = {};
+  if (start_.room && start_.position && is_finite(*start_.position)) {
+    const bool heading_known = start_.heading && std::isfinite(*start_.heading);
+    place_known({*start_.position, heading_known ? wrap_angle(*start_.heading) : 0.0}, *start_.room, heading_known);
+  }
+  describe_ignorance();
+}
+
+void BayesLocator::Core::place_known(const Pose2& pose, RoomIndex room, bool heading_known) {
+  const std::size_t count = heading_known ? kFacing : kAllRound;
+  for (std::size_t i = 0; i < count; ++i) {
+    Particle p;
+    p.weight = 1.0 / static_cast<double>(count);
+    p.room = room;
+    p.position = pose.position;
+    const double share = (static_cast<double>(i) + random_.uniform()) / static_cast<double>(count);
+    p.heading = heading_known ? wrap_near(pose.heading + kStartHeadingSigma * cheap_normal(random_)) : kTwoPi * share - kPi;
+    const SinCos f = fast_sincos(p.heading);
+    p.facing = {f.cos, f.sin};
+    const bool walks = i % 2 == 0;
+    p.gait = walks ? Gait::walking : Gait::standing;
+    p.speed = walks ? pace_ : 0.0;
+    p.gyro_bias = motion_.gyro_bias_sigma * cheap_normal(random_);
+    p.turn_rate = motion_.straight_sigma * cheap_normal(random_);
+    p.cov.xx = p.cov.yy = kStartPositionSigma * kStartPositionSigma;
+    p.cov.ss = walks ? kStartSpeedSigma * kStartSpeedSigma : motion_.standing_sigma * motion_.standing_sigma;
+    p.cov.kk = motion_.scale_sigma * motion_.scale_sigma;
+    main_.push(p);
+  }
+  hearing_test_ = HearingTest::done;
+  conclude(0.0);
+}
+
+// Before anything is heard: the start's room, or the largest one, and how little that says.
+void BayesLocator::Core::describe_ignorance() {
+  if (!main_.empty()) return;
+  double total = 0.0, largest = 0.0;
+  RoomIndex room = kNoRoom;
+  for (std::size_t i = 0; i < building_.rooms.size(); ++i) {
+    const auto& r = scene_.room(static_cast<RoomIndex>(i));
+    const double area = (r.high.x - r.low.x) * (r.high.y - r.low.y);
+    total += area;
+    if (area > largest) {
+      largest = area;
+      room = static_cast<RoomIndex>(i);
+    }
+  }
+  if (start_.room) room = *start_.room;
+  if (room == kNoRoom) return;
+  const auto& r = scene_.room(room);
+  estimate_.room = room;
+  estimate_.pose = {0.5 * (r.low + r.high), start_.heading.value_or(0.0)};
+  estimate_.sigma_m = 0.3 * distance(r.low, r.high);
+  estimate_.covariance_xx = estimate_.covariance_yy = estimate_.sigma_m * estimate_.sigma_m;
+  estimate_.sigma_heading_rad = start_.heading ? kStartHeadingSigma : kPi / std::sqrt(3.0);
+  estimate_.room_probability = start_.room ? 0.99 : largest / std::max(total, 1e-9);
+  estimate_.state = TrackState::searching;
+  summary_.count = 1;
+  summary_.hypotheses[0] = {estimate_.room, estimate_.pose, estimate_.sigma_m, estimate_.room_probability};
+}
+
+void BayesLocator::Core::start_first_search() {
+  const std::uint64_t now = history_.end();
+  const auto pass = static_cast<std::uint64_t>(std::clamp(belt_.sensors, 8, 24));
+  if (now < pass) return;
+  hearing_test_ = HearingTest::due;
+  SearchDomain domain;
+  if (start_.room) domain.only_room = *start_.room;
+  if (start_.room && start_.heading) {
+    domain.heading = *start_.heading;
+  } else {
+    domain.level_heading = compass_;
+  }
+  domain.heading_sigma = kStartHeadingSigma;
+  search_.start(domain, now - pass, now);
+}
+
+}  // namespace echoway

@@ -1,0 +1,81 @@
+#include "tracker/level_links.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracker/elementary.hpp"
+
+namespace echoway::tracker {
+namespace {
+
+constexpr double kReach = 1.2;               // Metres from a link's end within which somebody may be taking it.
+constexpr double kUntoldRate = 0.15;         // 1/s, of those who were told nothing: who comes so near often means to take it.
+constexpr double kToldRate = 0.8;            // 1/s.
+constexpr double kShortestStairs = 3.0;      // Seconds.
+constexpr double kShortestElevator = 5.0;
+constexpr double kStairsEndRate = 0.20;      // 1/s, from then on.
+constexpr double kElevatorEndRate = 0.08;
+constexpr double kLandingSigma = 0.6;        // Metres: where somebody steps off.
+constexpr double kLandingTurnSigma = degrees(8.0);
+
+bool happens(double rate, double seconds, Random& random) noexcept {
+  return random.uniform() < 1.0 - fast_exp(-rate * seconds);
+}
+
+}  // namespace
+
+LevelLinks::LevelLinks(const Building& building) {
+  for (std::size_t i = 0; i < building.links.size(); ++i) {
+    const LevelLink& l = building.links[i];
+    const double turn = wrap_angle(building.room(l.room_a).frame.heading - building.room(l.room_b).frame.heading);
+    const bool stairs = l.kind == LevelLinkKind::stairs;
+    ends_.push_back({i, l.room_a, l.at_a, l.room_b, l.at_b, turn, stairs});
+    ends_.push_back({i, l.room_b, l.at_b, l.room_a, l.at_a, -turn, stairs});
+  }
+  std::stable_sort(ends_.begin(), ends_.end(), [](const End& a, const End& b) { return a.room < b.room; });
+  first_.assign(building.rooms.size() + 1, 0);
+  for (const End& end : ends_) ++first_[static_cast<std::size_t>(end.room) + 1];
+  for (std::size_t r = 1; r < first_.size(); ++r) first_[r] += first_[r - 1];
+}
+
+double LevelLinks::setting_out_rate(const End& end, double time_s) const noexcept {
+  if (!told_ || told_->link != end.link || told_->from != end.room) return kUntoldRate;
+  return time_s < told_->time_s + told_->patience_s ? kToldRate : kUntoldRate;
+}
+
+void LevelLinks::step(Particle& p, double time_s, double seconds, bool turn_known, Random& random) const noexcept {
+  if (p.gait == Gait::away) {
+    const End& end = ends_[static_cast<std::size_t>(p.link_end)];
+    p.away_s += seconds;
+    if (p.away_s < (end.stairs ? kShortestStairs : kShortestElevator)) return;
+    if (happens(end.stairs ? kStairsEndRate : kElevatorEndRate, seconds, random)) arrive(p, end, turn_known, random);
+    return;
+  }
+  const auto room = static_cast<std::size_t>(p.room);
+  for (std::uint32_t i = first_[room]; i < first_[room + 1]; ++i) {
+    const End& end = ends_[i];
+    if (squared_norm(p.position - end.at) > kReach * kReach || !happens(setting_out_rate(end, time_s), seconds, random)) continue;
+    p.gait = Gait::away;
+    p.away_s = 0.0;
+    p.link_end = static_cast<std::int32_t>(i);
+    return;
+  }
+}
+
+void LevelLinks::arrive(Particle& p, const End& end, bool turn_known, Random& random) const noexcept {
+  p.room = end.to;
+  p.position = end.to_at;
+  p.heading = turn_known ? p.heading + end.turn + kLandingTurnSigma * cheap_normal(random) : random.uniform(-kPi, kPi);
+  p.heading = wrap_near(p.heading);
+  const SinCos f = fast_sincos(p.heading);
+  p.facing = {f.cos, f.sin};
+  p.gait = Gait::walking;
+  const double scale = p.cov.kk;
+  p.cov = {};
+  p.cov.xx = p.cov.yy = kLandingSigma * kLandingSigma;
+  p.cov.ss = 0.2 * 0.2;
+  p.cov.kk = scale;
+  p.strangers.fill(0);
+}
+
+}  // namespace echoway::tracker
