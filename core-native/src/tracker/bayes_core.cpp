@@ -188,10 +188,12 @@ BayesLocator::Core::Verdict BayesLocator::Core::update(Population& population, c
 
 // On stairs the walls of the stairwell still stand beside the wearer, as far as anybody can tell; in an elevator nothing in
 // the plan does.
-double BayesLocator::Core::density_away(const Particle& p, const Shot& shot, double anywhere) {
+double BayesLocator::Core::density_away(Particle& p, const Shot& shot, double anywhere) {
   if (shot.trust <= 0.0 || !links_.on_stairs(p)) return anywhere;
   Particle beside = p;
-  return 0.5 * (anywhere + assimilate(beside, shot, *model_, scene_).density);
+  const double density = assimilate(beside, shot, *model_, scene_).density;
+  p.strangers = beside.strangers;
+  return std::max(anywhere, density);
 }
 
 std::span<const Spot> BayesLocator::Core::recall(const Shot& shot) {
@@ -236,11 +238,20 @@ void BayesLocator::Core::conclude(double time_s) {
   }
   log_scale_ = summary_.log_scale;
   log_scale_sigma_ = std::max(summary_.log_scale_sigma, kLeastScaleSigma);
-  away_ = 0.0;
-  if (!links_.none()) {
-    for (const Particle& p : main_.particles()) away_ += p.gait == Gait::away ? p.weight : 0.0;
-  }
+  if (!links_.none()) see_who_is_away();
   estimate_.state = state();
+}
+
+void BayesLocator::Core::see_who_is_away() {
+  away_ = 0.0;
+  double heaviest = 0.0;
+  for (const Particle& p : main_.particles()) {
+    if (p.gait != Gait::away) continue;
+    away_ += p.weight;
+    if (p.weight <= heaviest) continue;
+    heaviest = p.weight;
+    landing_ = links_.landing(p);
+  }
 }
 
 TrackState BayesLocator::Core::state() const {

@@ -54,12 +54,13 @@ class BayesLocator::Core {
   };
   Verdict update(tracker::Population& population, const tracker::Record& record,
                  const tracker::HintIntegrator::GaitEvidence& gait, const tracker::Shot& shot);
-  [[nodiscard]] double density_away(const tracker::Particle& p, const tracker::Shot& shot, double anywhere);
+  [[nodiscard]] double density_away(tracker::Particle& p, const tracker::Shot& shot, double anywhere);
   void track(tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait);
   void thin_out(tracker::Population& population);
   [[nodiscard]] std::span<const tracker::Spot> recall(const tracker::Shot& shot);
   void remember(const tracker::Record& record);
   void conclude(double time_s);
+  void see_who_is_away();
   [[nodiscard]] TrackState state() const;
 
   // Searching and recovering.
@@ -97,7 +98,8 @@ class BayesLocator::Core {
   tracker::EchoMemory memory_;
   tracker::EchoRepeats repeats_;
   tracker::Novelty novelty_;
-  double away_ = 0.0;               ///< Probability that the wearer is on stairs or in an elevator.
+  double away_ = 0.0;               ///< Probability that the wearer is on stairs or in an elevator,
+  tracker::LevelLinks::Landing landing_;   ///< and where that leads, most likely.
   double mapped_share_ = 0.0;       ///< Of recent echoes that something in the plan explains.
   double unmapped_ = 0.0;           ///< Probability that the last echo came from nothing in the plan.
   std::array<Vec2, kMaxSensors> bearings_{};

@@ -12,7 +12,8 @@ namespace {
 constexpr std::uint64_t kRecoveryWindow = 40;        // Firings that a recovery search looks back on.
 constexpr std::uint64_t kBlindRecoveryWindow = 20;   // The same without a gyroscope: a wearer hardly turns meanwhile.
 constexpr std::uint64_t kSearchPause = 48;           // Firings between searches.
-constexpr double kPerhapsAway = 0.2;                 // Nobody is looked for in the rooms who may be on the stairs.
+constexpr double kPerhapsAway = 0.2;                 // Nobody is looked for in the rooms who may be on the stairs;
+constexpr double kSurelyAway = 0.5;                  // who surely is, is looked for where the stairs lead.
 
 // In widening circles: a tracker that lost its hold is most often not far off.
 constexpr int kCircles = 3;                          // Round about, nearby, everywhere.
@@ -65,11 +66,18 @@ void BayesLocator::Core::pursue_search() {
 void BayesLocator::Core::start_recovery() {
   const std::uint64_t now = history_.end();
   if (!options_.parts.recovery || now < no_search_before_ || now < kRecoveryWindow) return;
-  if (away_ > kPerhapsAway || !fit_.doubtful()) return;
   SearchDomain domain;
+  domain.heading_sigma = kHeadingStep;
+  if (away_ > kSurelyAway) {
+    domain.near_room = landing_.room;
+    domain.near_position = landing_.at;
+    domain.within = kRoundAbout;
+    search_.start(domain, now - kRecoveryWindow, now);
+    return;
+  }
+  if (away_ > kPerhapsAway || !fit_.doubtful()) return;
   domain.near_room = estimate_.room;
   domain.near_position = estimate_.pose.position;
-  domain.heading_sigma = kHeadingStep;
   const int circle = fit_.poor() ? failed_circles_ : 0;
   if (circle == 0) domain.within = kRoundAbout;
   if (circle == 1) domain.within = kNearby;

@@ -11,10 +11,14 @@ namespace {
 constexpr double kReach = 1.2;               // Metres from a link's end within which somebody may be taking it.
 constexpr double kUntoldRate = 0.15;         // 1/s, of those who were told nothing: who comes so near often means to take it.
 constexpr double kToldRate = 0.8;            // 1/s.
-constexpr double kShortestStairs = 3.0;      // Seconds.
-constexpr double kShortestElevator = 5.0;
-constexpr double kStairsEndRate = 0.20;      // 1/s, from then on.
-constexpr double kElevatorEndRate = 0.08;
+// How long people are on the way: never less, at this rate (1/s) from then on, never longer.
+struct Ride {
+  double shortest_s;
+  double end_rate;
+  double longest_s;
+};
+constexpr Ride kStairs{5.0, 0.08, 45.0};     // A storey of two flights takes some seventeen seconds.
+constexpr Ride kElevator{5.0, 0.06, 90.0};
 constexpr double kLandingSigma = 0.6;        // Metres: where somebody steps off.
 constexpr double kLandingTurnSigma = degrees(8.0);
 
@@ -47,8 +51,9 @@ void LevelLinks::step(Particle& p, double time_s, double seconds, bool turn_know
   if (p.gait == Gait::away) {
     const End& end = ends_[static_cast<std::size_t>(p.link_end)];
     p.away_s += seconds;
-    if (p.away_s < (end.stairs ? kShortestStairs : kShortestElevator)) return;
-    if (happens(end.stairs ? kStairsEndRate : kElevatorEndRate, seconds, random)) arrive(p, end, turn_known, random);
+    const Ride& ride = end.stairs ? kStairs : kElevator;
+    if (p.away_s < ride.shortest_s) return;
+    if (p.away_s > ride.longest_s || happens(ride.end_rate, seconds, random)) arrive(p, end, turn_known, random);
     return;
   }
   const auto room = static_cast<std::size_t>(p.room);

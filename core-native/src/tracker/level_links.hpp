@@ -24,6 +24,16 @@ class LevelLinks {
   /// Whether a particle that is away climbs, and so makes steps.
   [[nodiscard]] bool on_stairs(const Particle& away) const noexcept { return ends_[static_cast<std::size_t>(away.link_end)].stairs; }
 
+  /// Where a particle that is away will arrive.
+  struct Landing {
+    RoomIndex room = kNoRoom;
+    Vec2 at{};
+  };
+  [[nodiscard]] Landing landing(const Particle& away) const noexcept {
+    const End& end = ends_[static_cast<std::size_t>(away.link_end)];
+    return {end.to, end.to_at};
+  }
+
   /// Lets a particle that stands at a link set out (Gait::away), and one that is away arrive. `turn_known`: whether the
   /// heading was followed meanwhile; otherwise it is anyone's guess at the other end.
   void step(Particle& particle, double time_s, double seconds, bool turn_known, Random& random) const noexcept;

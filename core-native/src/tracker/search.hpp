@@ -107,8 +107,8 @@ class Search {
   [[nodiscard]] double log_prior(const Particle& particle, const Building& building) const noexcept;
 
   [[nodiscard]] std::size_t budget() const noexcept {
-    if (heading_is_known()) return parameters_.local_budget;
-    return domain_.near_room == kNoRoom ? parameters_.budget : parameters_.second_budget;
+    if (domain_.near_room == kNoRoom) return parameters_.budget;
+    return domain_.near_heading ? parameters_.local_budget : parameters_.second_budget;
   }
 
   Parameters parameters_;
