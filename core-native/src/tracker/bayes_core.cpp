@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kParticlesPerCell = 14;     // While several places are possible.
 constexpr std::size_t kSettledCells = 10;         // A belief this narrow takes the tracking number of particles.
+constexpr double kStairwellShare = 0.80;          // Or neither: it is not known what answers there.
 constexpr double kPerhapsAway = 0.2;
 constexpr std::size_t kAwayParticles = 800;       // Few of them arrive at the right moment and facing the right way.
 constexpr double kLongestInterval = 3.0;          // Seconds that are still walked through; longer ones are a break.
@@ -193,7 +194,7 @@ double BayesLocator::Core::density_away(Particle& p, const Shot& shot, double an
   Particle beside = p;
   const double density = assimilate(beside, shot, *model_, scene_).density;
   p.strangers = beside.strangers;
-  return std::max(anywhere, density);
+  return kStairwellShare * std::max(anywhere, density);
 }
 
 std::span<const Spot> BayesLocator::Core::recall(const Shot& shot) {
@@ -250,7 +251,7 @@ void BayesLocator::Core::see_who_is_away() {
     away_ += p.weight;
     if (p.weight <= heaviest) continue;
     heaviest = p.weight;
-    landing_ = links_.landing(p);
+    landing_ = links_.landing(p, searches_);
   }
 }
 

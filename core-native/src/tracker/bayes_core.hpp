@@ -114,6 +114,7 @@ class BayesLocator::Core {
   double log_scale_ = 0.0;
   double log_scale_sigma_ = 0.0;
   int failed_circles_ = 0;          ///< Searches in a row that found nothing, each wider than the one before.
+  std::uint64_t searches_ = 0;      ///< Recovery searches so far.
   std::uint64_t no_search_before_ = 0;
 
   Estimate estimate_;

@@ -72,6 +72,7 @@ void BayesLocator::Core::start_recovery() {
     domain.near_room = landing_.room;
     domain.near_position = landing_.at;
     domain.within = kRoundAbout;
+    if (gyro_) domain.near_heading = landing_.turn + estimate_.pose.heading;
     search_.start(domain, now - kRecoveryWindow, now);
     return;
   }
@@ -121,6 +122,7 @@ void BayesLocator::Core::challenge() {
   for (std::uint64_t n = search_.window_begin(); n < now; ++n) log_main += history_[n].log_main;
   const double odds = search_.log_evidence() - log_main + (search_.is_local() ? kLogFoundNear : kLogFoundFar);
   no_search_before_ = now + kSearchPause;
+  ++searches_;
   if (odds < kLogHopeless) {
     search_.stop();
     note_failed_search();

@@ -19,6 +19,7 @@ struct Ride {
 };
 constexpr Ride kStairs{5.0, 0.08, 45.0};     // A storey of two flights takes some seventeen seconds.
 constexpr Ride kElevator{5.0, 0.06, 90.0};
+constexpr double kObedience = 0.9;           // Who was told to go up and sets out goes up.
 constexpr double kLandingSigma = 0.6;        // Metres: where somebody steps off.
 constexpr double kLandingTurnSigma = degrees(8.0);
 
@@ -42,9 +43,37 @@ LevelLinks::LevelLinks(const Building& building) {
   for (std::size_t r = 1; r < first_.size(); ++r) first_[r] += first_[r - 1];
 }
 
+bool LevelLinks::told(const End& end, double time_s) const noexcept {
+  return told_ && told_->link == end.link && told_->from == end.room && time_s < told_->time_s + told_->patience_s;
+}
+
 double LevelLinks::setting_out_rate(const End& end, double time_s) const noexcept {
-  if (!told_ || told_->link != end.link || told_->from != end.room) return kUntoldRate;
-  return time_s < told_->time_s + told_->patience_s ? kToldRate : kUntoldRate;
+  return told(end, time_s) ? kToldRate : kUntoldRate;
+}
+
+bool LevelLinks::same_place(const End& a, const End& b) const noexcept {
+  return a.stairs == b.stairs && squared_norm(a.at - b.at) < kReach * kReach;
+}
+
+const LevelLinks::End& LevelLinks::pick(const End& end, std::uint64_t turn) const noexcept {
+  const auto room = static_cast<std::size_t>(end.room);
+  std::uint64_t count = 0;
+  for (std::uint32_t i = first_[room]; i < first_[room + 1]; ++i) count += same_place(ends_[i], end) ? 1 : 0;
+  std::uint64_t skip = count > 0 ? turn % count : 0;
+  for (std::uint32_t i = first_[room]; i < first_[room + 1]; ++i) {
+    if (same_place(ends_[i], end) && skip-- == 0) return ends_[i];
+  }
+  return end;
+}
+
+const LevelLinks::End& LevelLinks::way_taken(const End& end, double time_s, Random& random) const noexcept {
+  if (told(end, time_s) && random.uniform() < kObedience) return end;
+  return pick(end, random.next() >> 32);
+}
+
+LevelLinks::Landing LevelLinks::landing(const Particle& away, std::uint64_t turn) const noexcept {
+  const End& end = pick(ends_[static_cast<std::size_t>(away.link_end)], turn);
+  return {end.to, end.to_at, end.turn};
 }
 
 void LevelLinks::step(Particle& p, double time_s, double seconds, bool turn_known, Random& random) const noexcept {
@@ -53,7 +82,7 @@ void LevelLinks::step(Particle& p, double time_s, double seconds, bool turn_know
     p.away_s += seconds;
     const Ride& ride = end.stairs ? kStairs : kElevator;
     if (p.away_s < ride.shortest_s) return;
-    if (p.away_s > ride.longest_s || happens(ride.end_rate, seconds, random)) arrive(p, end, turn_known, random);
+    if (p.away_s > ride.longest_s || happens(ride.end_rate, seconds, random)) arrive(p, way_taken(end, time_s, random), turn_known, random);
     return;
   }
   const auto room = static_cast<std::size_t>(p.room);

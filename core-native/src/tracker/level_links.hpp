@@ -24,15 +24,14 @@ class LevelLinks {
   /// Whether a particle that is away climbs, and so makes steps.
   [[nodiscard]] bool on_stairs(const Particle& away) const noexcept { return ends_[static_cast<std::size_t>(away.link_end)].stairs; }
 
-  /// Where a particle that is away will arrive.
+  /// Where a particle that is away may arrive: stairs up and down often begin at one place, and nobody can tell which was
+  /// taken before they end. `turn` picks one of the places in turn.
   struct Landing {
     RoomIndex room = kNoRoom;
     Vec2 at{};
+    double turn = 0.0;        ///< From the frame of the room that was left into the landing's.
   };
-  [[nodiscard]] Landing landing(const Particle& away) const noexcept {
-    const End& end = ends_[static_cast<std::size_t>(away.link_end)];
-    return {end.to, end.to_at};
-  }
+  [[nodiscard]] Landing landing(const Particle& away, std::uint64_t turn) const noexcept;
 
   /// Lets a particle that stands at a link set out (Gait::away), and one that is away arrive. `turn_known`: whether the
   /// heading was followed meanwhile; otherwise it is anyone's guess at the other end.
@@ -48,6 +47,11 @@ class LevelLinks {
     double turn = 0.0;        ///< From this room's frame into the other's.
     bool stairs = true;
   };
+  [[nodiscard]] bool same_place(const End& a, const End& b) const noexcept;
+  /// One of the ends that begin where `end` does.
+  [[nodiscard]] const End& pick(const End& end, std::uint64_t turn) const noexcept;
+  [[nodiscard]] const End& way_taken(const End& end, double time_s, Random& random) const noexcept;
+  [[nodiscard]] bool told(const End& end, double time_s) const noexcept;
   [[nodiscard]] double setting_out_rate(const End& end, double time_s) const noexcept;
   void arrive(Particle& particle, const End& end, bool turn_known, Random& random) const noexcept;
 
