@@ -94,6 +94,7 @@ std::size_t write_findings(const std::vector<Finding>& findings, std::span<std::
   ByteWriter w(out);
   write_list(w, findings, [&](const Finding& finding) {
     w.i32(static_cast<std::int32_t>(finding.severity));
+    w.i32(static_cast<std::int32_t>(finding.kind));
     w.i32(finding.line);
     w.text(finding.file);
     w.text(finding.message);

@@ -52,7 +52,7 @@ std::size_t write_hypotheses(std::span<const Hypothesis> hypotheses, std::span<s
 /// A list of echoes by sensor: time, range (f64), kind, room (i32), x, y, expected range (f64).
 std::size_t write_echoes(std::span<const ExplainedEcho> echoes, std::span<std::byte> out) noexcept;
 
-/// A list of findings: severity, line (i32), file, message (text).
+/// A list of findings: severity, kind, line (i32), file, message (text).
 std::size_t write_findings(const std::vector<Finding>& findings, std::span<std::byte> out) noexcept;
 
 }  // namespace echoway::jni

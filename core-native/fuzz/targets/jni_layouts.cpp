@@ -112,7 +112,7 @@ std::string jni_layouts(Bytes data) {
   const std::vector<Spot> spots(in.byte(), {in.integer(), {in.number(), in.number()}});
   const std::vector<Hypothesis> hypotheses(in.byte(), {in.integer(), {{in.number(), in.number()}, in.number()}, 0.0, 0.0});
   const std::vector<ExplainedEcho> echoes(in.byte() % 65U, {.firing = {in.number(), in.byte(), in.number()}});
-  const std::vector<Finding> findings(in.byte(), {Finding::Severity::warning, any_text(in), in.integer(), any_text(in)});
+  const std::vector<Finding> findings(in.byte(), {Finding::Severity::warning, Finding::Kind::bad_line, any_text(in), in.integer(), any_text(in)});
   const std::string words = any_text(in);
   std::string broken = check_writer(size, [&](auto out) { return jni::write_estimate(estimate, out); });
   if (broken.empty()) broken = check_writer(size, [&](auto out) { return jni::write_belt_health(health, out); });

@@ -66,7 +66,9 @@ class Session {
   void on_belt_attached(double now_s);
   void on_belt_detached(double now_s);
 
-  /// Forgets where the wearer is and starts over (e.g. the wearer says which entrance they stand at).
+  /// Forgets where the wearer is and has been, and starts over (e.g. the wearer says which entrance they stand at). A
+  /// destination is kept and the way there told anew; a way back ends with the breadcrumbs that it followed. Fails, and
+  /// changes nothing, when the start makes no sense.
   Status restart(const Start& start);
 
   // What the wearer wants. Each is answered by cues too; a failure says why in words for a log.

@@ -15,6 +15,8 @@
 namespace echoway {
 namespace {
 
+using Kind = Finding::Kind;
+
 /// Elements that all rooms together may have; with kMaxElements it bounds what a hostile building can allocate.
 constexpr std::size_t kMaxBuildingElements = 300'000;
 
@@ -51,7 +53,8 @@ class Assembler {
       elements += room.walls.size() + room.corners.size() + room.edges.size() + room.reflectors.size();
       if (elements > kMaxBuildingElements) {
         findings_.unusable(
-            room.file, 0, "the building has more than " + std::to_string(kMaxBuildingElements) + " elements; split it");
+            Kind::too_large, room.file, 0,
+            "the building has more than " + std::to_string(kMaxBuildingElements) + " elements; split it");
         return false;
       }
     }
@@ -82,14 +85,14 @@ class Assembler {
       const Segment& s = wall.what;
       if (s.length() <= kSamePoint) {
         findings_.warn(
-            source.file, wall.line,
+            Kind::no_length, source.file, wall.line,
             "a wall without length at " + phrases_.point(s.a) + " is left out; remove the line or give its other end");
         continue;
       }
       const auto [low, high] = std::minmax({std::pair{s.a.x, s.a.y}, std::pair{s.b.x, s.b.y}});
       const auto [first, is_new] = seen.try_emplace(Ends{low.first, low.second, high.first, high.second}, wall.line);
       if (!is_new) {
-        findings_.warn(source.file, wall.line,
+        findings_.warn(Kind::repeated, source.file, wall.line,
                        "the wall is the same as on line " + std::to_string(first->second) +
                            " and is left out; remove one of them");
         continue;
@@ -104,25 +107,27 @@ class Assembler {
       if (reflector.what.length() > kSamePoint) {
         room.reflectors.push_back(reflector.what);
       } else {
-        findings_.warn(source.file, reflector.line, "a reflector without length is left out; give its other end");
+        findings_.warn(Kind::no_length, source.file, reflector.line,
+                       "a reflector without length is left out; give its other end");
       }
     }
   }
 
   void report_open(const RoomSource& source, const Room& room, const FloorTrace& floor, const std::vector<int>& lines) {
     if (source.walls.empty() || lines.empty()) {
-      findings_.unusable(source.file, 0, "has no walls; a room needs walls that enclose its floor");
+      findings_.unusable(Kind::open_walls, source.file, 0, "has no walls; a room needs walls that enclose its floor");
       return;
     }
     if (floor.free_ends.empty()) {
-      findings_.unusable(source.file, 0, "the walls do not close: they enclose no floor; draw the room's outline");
+      findings_.unusable(Kind::open_walls, source.file, 0,
+                         "the walls do not close: they enclose no floor; draw the room's outline");
       return;
     }
     const FreeEnd& end = floor.free_ends.front();
     std::string message = "the walls do not close: this wall ends at " + phrases_.point(end.at) + " and meets no other";
     const double gap = gap_at(room.walls, end);
     if (std::isfinite(gap)) message += " (the nearest is " + phrases_.length(gap) + " away)";
-    findings_.unusable(source.file, lines[end.wall],
+    findings_.unusable(Kind::open_walls, source.file, lines[end.wall],
                        message + "; move the end or add the missing wall, across door openings too");
   }
 
@@ -130,7 +135,7 @@ class Assembler {
   Room* room_of(const std::string& id, const Located<T>& line, std::string_view what) {
     const auto found = rooms_by_id_.find(id);
     if (found != rooms_by_id_.end()) return &out_.building.rooms[static_cast<std::size_t>(found->second)];
-    findings_.warn(out_.source.config.file, line.line,
+    findings_.warn(Kind::unknown_room, out_.source.config.file, line.line,
                    std::string(what) + " in room '" + id + "' is left out, since there is no file " +
                        room_file_name(id) + "; correct the id or add the file");
     return nullptr;

@@ -11,6 +11,8 @@
 namespace echoway {
 namespace {
 
+using Kind = Finding::Kind;
+
 /// Lines that say something which a building.cfg may have.
 constexpr int kMaxLines = 200'000;
 constexpr int kMaxLevel = 1000;
@@ -61,7 +63,8 @@ class ConfigParser {
   void finish(LineParser& parser, std::string_view form) {
     parser.end();
     if (parser.problem()) {
-      findings_.unusable(config_.file, line_, *parser.problem() + "; the line must be '" + std::string(form) + "'");
+      findings_.unusable(Kind::bad_line, config_.file, line_,
+                         *parser.problem() + "; the line must be '" + std::string(form) + "'");
     }
   }
 
@@ -73,7 +76,7 @@ class ConfigParser {
   std::string name(LineParser& parser) {
     std::string out = parser.quoted("the name");
     if (text::is_utf8(out)) return out;
-    findings_.warn(config_.file, line_, "the name is not valid UTF-8; save the file as UTF-8");
+    findings_.warn(Kind::name, config_.file, line_, "the name is not valid UTF-8; save the file as UTF-8");
     return text::to_utf8(out);
   }
 
@@ -90,7 +93,8 @@ class ConfigParser {
     const std::string out = name(parser);
     if (parser.problem()) return;
     if (!config_.name.empty()) {
-      findings_.warn(config_.file, line_, "the building has a name already; the last one counts, remove the others");
+      findings_.warn(Kind::name, config_.file, line_,
+                     "the building has a name already; the last one counts, remove the others");
     }
     config_.name = out;
   }
@@ -187,11 +191,12 @@ ConfigSource read_config_file(const std::filesystem::path& file, Findings& findi
   config.file = file.string();
   std::error_code ignored;
   if (!std::filesystem::exists(std::filesystem::symlink_status(file, ignored))) {
-    findings.warn(config.file, 0, "is missing: lengths are taken as feet and there are no doors; write one");
+    findings.warn(Kind::no_config, config.file, 0,
+                  "is missing: lengths are taken as feet and there are no doors; write one");
     return config;
   }
   if (!std::filesystem::is_regular_file(file, ignored)) {
-    findings.unusable(config.file, 0, "is not a file");
+    findings.unusable(Kind::unreadable, config.file, 0, "is not a file");
     return config;
   }
   Result<text::LineReader> opened = text::LineReader::open(file);
@@ -206,13 +211,14 @@ ConfigSource read_config_file(const std::filesystem::path& file, Findings& findi
     auto tokens = text::split_tokens(*line);
     if (tokens && tokens->empty()) continue;
     if (++lines > kMaxLines) {
-      findings.unusable(config.file, reader.line(), "has more than " + std::to_string(kMaxLines) + " lines");
+      findings.unusable(Kind::too_large, config.file, reader.line(),
+                        "has more than " + std::to_string(kMaxLines) + " lines");
       break;
     }
     if (tokens) {
       parser.parse(LineParser(std::move(*tokens)), reader.line());
     } else {
-      findings.unusable(config.file, reader.line(), "a quote is not closed");
+      findings.unusable(Kind::bad_line, config.file, reader.line(), "a quote is not closed");
     }
   }
   if (reader.error()) findings.unusable(*reader.error());

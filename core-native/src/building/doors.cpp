@@ -14,6 +14,8 @@
 namespace echoway {
 namespace {
 
+using Kind = Finding::Kind;
+
 /// A listed edge is this door's jamb when it is this near to where the jamb would be derived.
 constexpr double kSameJamb = feet(0.5);
 
@@ -110,7 +112,7 @@ std::vector<DoorLines> assemble_doors(const ConfigSource& config, const RoomsByI
     for (const PlaceSource* side : {&door.what.a, &door.what.b}) {
       if (look_up(rooms, side->room)) continue;
       known = false;
-      findings.unusable(config.file, door.line,
+      findings.unusable(Kind::unknown_room, config.file, door.line,
                         "a door leads to room '" + side->room + "', which has no file room-" + side->room +
                             ".room; add the file or remove the door");
     }
@@ -118,13 +120,14 @@ std::vector<DoorLines> assemble_doors(const ConfigSource& config, const RoomsByI
     const RoomIndex a = *look_up(rooms, door.what.a.room);
     const RoomIndex b = *look_up(rooms, door.what.b.room);
     if (a == b) {
-      findings.warn(config.file, door.line,
+      findings.warn(Kind::door_lines, config.file, door.line,
                     "a door leads from room '" + door.what.a.room +
                         "' to itself and is left out; name the room on its other side");
       continue;
     }
     if (door.what.width && !(*door.what.width > 0.0)) {
-      findings.warn(config.file, door.line, "the door's width is not positive and is left out; write its clear width");
+      findings.warn(Kind::door_width, config.file, door.line,
+                    "the door's width is not positive and is left out; write its clear width");
     }
     merger.add({a, door.what.a.at, b, door.what.b.at, kDefaultDoorWidth}, door.what, door.line);
   }

@@ -7,11 +7,14 @@
 
 namespace echoway {
 
-void Findings::add(Finding::Severity severity, const std::string& file, int line, std::string message) {
-  const int count = ++count_[{file, severity}];
+void Findings::add(Finding finding) {
+  const int count = ++count_[{finding.file, finding.severity}];
   if (count > kMaxPerFile) return;
-  if (count == kMaxPerFile) message = "and more like these; mend the ones above first";
-  findings_.push_back({severity, file, line, std::move(message)});
+  if (count == kMaxPerFile) {
+    finding.kind = Kind::more;
+    finding.message = "and more like these; mend the ones above first";
+  }
+  findings_.push_back(std::move(finding));
 }
 
 std::vector<Finding> Findings::sorted() && {

@@ -14,14 +14,17 @@ class Findings {
  public:
   static constexpr int kMaxPerFile = 200;
 
-  void warn(const std::string& file, int line, std::string message) {
-    add(Finding::Severity::warning, file, line, std::move(message));
+  using Kind = Finding::Kind;
+
+  void warn(Kind kind, const std::string& file, int line, std::string message) {
+    add({Finding::Severity::warning, kind, file, line, std::move(message)});
   }
-  void unusable(const std::string& file, int line, std::string message) {
+  void unusable(Kind kind, const std::string& file, int line, std::string message) {
     any_unusable_ = true;
-    add(Finding::Severity::unusable, file, line, std::move(message));
+    add({Finding::Severity::unusable, kind, file, line, std::move(message)});
   }
-  void unusable(const Error& error) { unusable(error.file, error.line, error.message); }
+  /// Of a file that cannot be read.
+  void unusable(const Error& error) { unusable(Kind::unreadable, error.file, error.line, error.message); }
 
   [[nodiscard]] bool any_unusable() const noexcept { return any_unusable_; }
 
@@ -29,7 +32,7 @@ class Findings {
   [[nodiscard]] std::vector<Finding> sorted() &&;
 
  private:
-  void add(Finding::Severity severity, const std::string& file, int line, std::string message);
+  void add(Finding finding);
 
   std::vector<Finding> findings_;
   std::map<std::pair<std::string, Finding::Severity>, int> count_;

@@ -8,6 +8,8 @@
 namespace echoway {
 namespace {
 
+using Kind = Finding::Kind;
+
 namespace fs = std::filesystem;
 
 constexpr std::string_view kPrefix = "room-";
@@ -68,21 +70,23 @@ std::vector<std::string> list_rooms(const fs::path& dir, Findings& findings) {
     std::string id = name.substr(kPrefix.size(), name.size() - kPrefix.size() - kSuffix.size());
     std::error_code ignored;
     if (!is_room_id(id)) {
-      findings.warn(text::to_utf8(it->path().string()), 0,
+      findings.warn(Kind::room_id, text::to_utf8(it->path().string()), 0,
                     "is left out: a room's id must be a word without blanks, commas, quotes and #; rename the file");
     } else if (!it->is_regular_file(ignored)) {
-      findings.unusable(it->path().string(), 0, "is not a file");
+      findings.unusable(Kind::unreadable, it->path().string(), 0, "is not a file");
     } else if (ids.size() == kMaxRooms) {
-      findings.unusable(dir.string(), 0, "has more than " + std::to_string(kMaxRooms) + " rooms; split the building");
+      findings.unusable(Kind::too_large, dir.string(), 0,
+                        "has more than " + std::to_string(kMaxRooms) + " rooms; split the building");
       break;
     } else {
       ids.push_back(std::move(id));
     }
   }
   if (error) {
-    findings.unusable(dir.string(), 0, "cannot be read as a folder: " + error.message());
+    findings.unusable(Kind::unreadable, dir.string(), 0, "cannot be read as a folder: " + error.message());
   } else if (ids.empty() && !findings.any_unusable()) {
-    findings.unusable(dir.string(), 0, "has no room files; a building needs at least one room-<id>.room");
+    findings.unusable(Kind::no_rooms, dir.string(), 0,
+                      "has no room files; a building needs at least one room-<id>.room");
   }
   std::sort(ids.begin(), ids.end(), natural_less);
   return ids;

@@ -9,6 +9,8 @@
 namespace echoway {
 namespace {
 
+using Kind = Finding::Kind;
+
 /// A door's position may be the middle of a wall of twice this thickness.
 constexpr double kOffWall = feet(0.3) + kSamePoint;
 
@@ -40,8 +42,8 @@ class DoorLint {
   }
 
  private:
-  void warn(std::size_t door, std::string message) {
-    findings_.warn(assembly_.source.config.file, assembly_.door_lines[door].line, std::move(message));
+  void warn(Kind kind, std::size_t door, std::string message) {
+    findings_.warn(kind, assembly_.source.config.file, assembly_.door_lines[door].line, std::move(message));
   }
   [[nodiscard]] const std::string& id(RoomIndex room) const { return building_.room(room).id; }
   [[nodiscard]] std::string name(const Door& door) const {
@@ -62,28 +64,31 @@ class DoorLint {
     std::string message =
         "the door stands " + phrases_.length(off) + " off the nearest wall of room '" + id(room) + "'";
     if (off > kDoorReach) message += " and opens none";
-    warn(door, message + "; move it to " + phrases_.point(foot) + " in that room's frame, or correct the wall");
+    warn(Kind::door_position, door,
+         message + "; move it to " + phrases_.point(foot) + " in that room's frame, or correct the wall");
   }
 
   void lint_lines(std::size_t i, bool both_ways) {
     const Door& door = building_.doors[i];
     const DoorLines& lines = assembly_.door_lines[i];
     if (lines.disagreement > kLinesAgree) {
-      warn(i, "the lines about " + name(door) + " differ by " + phrases_.length(lines.disagreement) +
-                  "; the first counts, correct the others");
+      warn(Kind::door_lines, i,
+           "the lines about " + name(door) + " differ by " + phrases_.length(lines.disagreement) +
+               "; the first counts, correct the others");
     }
     // Doors may all be listed once; where others are listed from both sides, a missing side is a slip.
     if (!both_ways || lines.keyword || lines.from_a == lines.from_b) return;
     const RoomIndex from = lines.from_a ? door.room_b : door.room_a;
-    warn(i, name(door) + " is one-sided: other doors are listed from both rooms; add its line from room '" + id(from) +
-                "'");
+    warn(Kind::door_lines, i,
+         name(door) + " is one-sided: other doors are listed from both rooms; add its line from room '" + id(from) +
+             "'");
   }
 
   void lint_width(std::size_t i) {
     const Door& door = building_.doors[i];
     const DoorLines& lines = assembly_.door_lines[i];
     if (door.width < kNarrowestDoor || door.width > kWidestDoor) {
-      warn(i,
+      warn(Kind::door_width, i,
            name(door) + " is " + phrases_.length(door.width) + " wide; write its clear width in the building's unit");
       return;
     }
@@ -91,8 +96,9 @@ class DoorLint {
     for (const auto& [room, at] : {std::pair{door.room_a, door.at_a}, std::pair{door.room_b, door.at_b}}) {
       const auto opening = find_opening(building_.room(room), at, door.width);
       if (!opening || opening->span.length() >= door.width - kLinesAgree) continue;
-      warn(i, name(door) + " is wider than its wall in room '" + id(room) + "' leaves from its middle; correct its " +
-                  "width or its place");
+      warn(Kind::door_width, i,
+           name(door) + " is wider than its wall in room '" + id(room) + "' leaves from its middle; correct its " +
+               "width or its place");
     }
   }
 
@@ -101,8 +107,9 @@ class DoorLint {
     const Room& a = building_.room(door.room_a);
     const Room& b = building_.room(door.room_b);
     if (a.level != b.level) {
-      warn(i, name(door) + " joins levels " + std::to_string(a.level) + " and " + std::to_string(b.level) +
-                  "; correct the rooms' levels, or write 'stairs' or 'elevator'");
+      warn(Kind::door_levels, i,
+           name(door) + " joins levels " + std::to_string(a.level) + " and " + std::to_string(b.level) +
+               "; correct the rooms' levels, or write 'stairs' or 'elevator'");
       return;
     }
     const auto in_a = find_opening(a, door.at_a, door.width);
@@ -111,7 +118,8 @@ class DoorLint {
     const Vec2 along_a = level_direction(a, a.walls[in_a->wall]);
     const Vec2 along_b = level_direction(b, b.walls[in_b->wall]);
     if (std::abs(cross(along_a, along_b)) > kParallel) {
-      warn(i, name(door) + " stands in walls that are not parallel on the level; correct a 'frame' line or its place");
+      warn(Kind::door_position, i,
+           name(door) + " stands in walls that are not parallel on the level; correct a 'frame' line or its place");
     }
   }
 
@@ -129,9 +137,9 @@ class DoorLint {
           const Vec2 middle_i = 0.5 * (openings[i].span.a + openings[i].span.b);
           const Vec2 middle_k = 0.5 * (openings[k].span.a + openings[k].span.b);
           if (distance(middle_i, middle_k) > kSameDoor) continue;
-          warn(openings[i].door, "the door stands where the one on line " +
-                                     std::to_string(assembly_.door_lines[openings[k].door].line) +
-                                     " stands; correct or remove one of them");
+          warn(Kind::repeated, openings[i].door,
+               "the door stands where the one on line " + std::to_string(assembly_.door_lines[openings[k].door].line) +
+                   " stands; correct or remove one of them");
         }
       }
     }

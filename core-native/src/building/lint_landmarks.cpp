@@ -11,6 +11,8 @@
 namespace echoway {
 namespace {
 
+using Kind = Finding::Kind;
+
 /// An exit or stairs may stand in their wall, or a little behind it.
 constexpr double kInDoorway = feet(1.0);
 
@@ -41,22 +43,22 @@ class LandmarkLint {
     for (const auto& place : config_.places) {
       lint_place(place.what.where, place.line, "the place");
       if (place.what.name.empty()) {
-        warn(place.line, "the place has an empty name and nobody can ask for it; name it");
+        warn(Kind::name, place.line, "the place has an empty name and nobody can ask for it; name it");
       } else if (!names.insert(place.what.name).second) {
-        warn(place.line, "another place is called \"" + place.what.name + "\" too; give each its own name");
+        warn(Kind::name, place.line, "another place is called \"" + place.what.name + "\" too; give each its own name");
       }
     }
   }
 
  private:
-  void warn(int line, std::string message) { findings_.warn(config_.file, line, std::move(message)); }
+  void warn(Kind kind, int line, std::string message) { findings_.warn(kind, config_.file, line, std::move(message)); }
 
   void lint_ids() {
     for (std::size_t i = 0; i < building_.rooms.size(); ++i) {
       for (const std::string_view keyword : kKeywords) {
         if (building_.rooms[i].id != keyword) continue;
         findings_.warn(
-            assembly_.source.rooms[i].file, 0,
+            Kind::room_id, assembly_.source.rooms[i].file, 0,
             "the room's id is a keyword of building.cfg, where no door line can start with it; rename the room");
       }
     }
@@ -68,8 +70,9 @@ class LandmarkLint {
     for (const Located<T>& line : lines) {
       const auto [known, is_new] = first.try_emplace(line.what.room, line.line);
       if (is_new) continue;
-      warn(line.line, "room '" + line.what.room + "' has " + what + " already, on line " +
-                          std::to_string(known->second) + "; the last one counts, remove the others");
+      warn(Kind::repeated, line.line,
+           "room '" + line.what.room + "' has " + what + " already, on line " + std::to_string(known->second) +
+               "; the last one counts, remove the others");
     }
   }
 
@@ -81,8 +84,9 @@ class LandmarkLint {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Segment& wall : room.walls) nearest = std::min(nearest, distance(wall, place.at));
     if (nearest <= kInDoorway) return;
-    warn(line, what + " at " + phrases_.point(place.at) + " lies outside the floor of room '" + place.room + "', " +
-                   phrases_.length(nearest) + " from its walls; correct its position");
+    warn(Kind::off_floor, line,
+         what + " at " + phrases_.point(place.at) + " lies outside the floor of room '" + place.room + "', " +
+             phrases_.length(nearest) + " from its walls; correct its position");
   }
 
   const Assembly& assembly_;

@@ -9,6 +9,8 @@
 namespace echoway {
 namespace {
 
+using Kind = Finding::Kind;
+
 /// A loop of doors may miss by a wall's thickness; more is a mistake in some position.
 constexpr double kLoopMiss = feet(1.0);
 
@@ -31,9 +33,9 @@ class LevelLint {
   }
 
  private:
-  void warn_room(std::size_t room, std::string message) {
+  void warn_room(Kind kind, std::size_t room, std::string message) {
     const RoomSource& source = assembly_.source.rooms[room];
-    findings_.warn(source.file, source.counts_line, std::move(message));
+    findings_.warn(kind, source.file, source.counts_line, std::move(message));
   }
 
   /// Rooms that cannot be reached from where most rooms are.
@@ -58,8 +60,9 @@ class LevelLint {
     for (std::size_t r = 0; r < parent.size(); ++r) {
       reachable_[r] = find(r) == most;
       if (!reachable_[r]) {
-        warn_room(r, "no door, stairs or elevator reaches room '" + building_.rooms[r].id +
-                         "' from the other rooms; add its door to building.cfg");
+        warn_room(Kind::unreachable, r,
+                  "no door, stairs or elevator reaches room '" + building_.rooms[r].id +
+                      "' from the other rooms; add its door to building.cfg");
       }
     }
   }
@@ -75,9 +78,10 @@ class LevelLint {
       const auto main = std::max_element(pieces.begin(), pieces.end(),
                                          [](const auto& a, const auto& b) { return a.second < b.second; });
       if (!reachable_[r] || assembly_.pieces[r] == main->first) continue;
-      warn_room(r, "no door joins room '" + building_.rooms[r].id + "' to the rest of level " +
-                       std::to_string(building_.rooms[r].level) +
-                       ", so its place there is unknown; add a 'frame' line for it");
+      warn_room(Kind::no_place, r,
+                "no door joins room '" + building_.rooms[r].id + "' to the rest of level " +
+                    std::to_string(building_.rooms[r].level) +
+                    ", so its place there is unknown; add a 'frame' line for it");
     }
   }
 
@@ -85,7 +89,7 @@ class LevelLint {
     for (const LoopClosure& loop : building_.loop_closures) {
       if (loop.error <= kLoopMiss) continue;
       const Door& door = building_.doors[loop.door];
-      findings_.warn(assembly_.source.config.file, assembly_.door_lines[loop.door].line,
+      findings_.warn(Kind::door_loop, assembly_.source.config.file, assembly_.door_lines[loop.door].line,
                      "the way round through other rooms puts the two sides of the door between rooms '" +
                          building_.room(door.room_a).id + "' and '" + building_.room(door.room_b).id + "' " +
                          phrases_.length(loop.error) + " apart; correct the positions of the doors on the way");
@@ -125,9 +129,10 @@ class LevelLint {
           if (!floors_overlap(rooms[i].floor, rooms[k].floor, kOverlapDepth)) continue;
           ++found;
           const auto [first, second] = std::minmax({rooms[i].room, rooms[k].room});
-          warn_room(second, "room '" + building_.rooms[second].id + "' overlaps room '" + building_.rooms[first].id +
-                                "' on level " + std::to_string(building_.rooms[first].level) +
-                                "; correct the positions of the doors that lead there, or a 'frame' line");
+          warn_room(Kind::overlap, second,
+                    "room '" + building_.rooms[second].id + "' overlaps room '" + building_.rooms[first].id +
+                        "' on level " + std::to_string(building_.rooms[first].level) +
+                        "; correct the positions of the doors that lead there, or a 'frame' line");
         }
       }
     }

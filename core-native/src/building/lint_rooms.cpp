@@ -10,6 +10,8 @@
 namespace echoway {
 namespace {
 
+using Kind = Finding::Kind;
+
 /// Ends that had to be moved by more than rounding.
 constexpr double kWorthSaying = 0.01;
 
@@ -44,13 +46,14 @@ class RoomLint {
   }
 
  private:
-  void warn(int line, std::string message) { findings_.warn(source_.file, line, std::move(message)); }
+  void warn(Kind kind, int line, std::string message) { findings_.warn(kind, source_.file, line, std::move(message)); }
 
   void lint_snapped_ends() {
     for (const SnappedEnd& end : floor_.snapped) {
       if (end.moved <= kWorthSaying) continue;
-      warn(lines_[end.wall], "the wall ends at " + phrases_.point(end.at) + ", " + phrases_.length(end.moved) +
-                                 " from another wall, and is taken to meet it; move its end there");
+      warn(Kind::wall_end, lines_[end.wall],
+           "the wall ends at " + phrases_.point(end.at) + ", " + phrases_.length(end.moved) +
+               " from another wall, and is taken to meet it; move its end there");
     }
   }
 
@@ -65,8 +68,9 @@ class RoomLint {
         const auto [first, second] = std::minmax({order[k], order[m]});
         const double common = common_length(room_.walls[first], room_.walls[second]);
         if (common <= kLeastOverlap) continue;
-        warn(lines_[second], "the wall runs over the wall on line " + std::to_string(lines_[first]) + " for " +
-                                 phrases_.length(common) + "; draw that stretch once");
+        warn(Kind::repeated, lines_[second],
+             "the wall runs over the wall on line " + std::to_string(lines_[first]) + " for " +
+                 phrases_.length(common) + "; draw that stretch once");
       }
     }
   }
@@ -82,7 +86,7 @@ class RoomLint {
 
   void lint_stray_elements() {
     for (const std::size_t wall : floor_.outside_walls) {
-      warn(lines_[wall],
+      warn(Kind::off_floor, lines_[wall],
            "the wall stands outside the floor that the other walls enclose, where no echo finds it; "
            "remove it or close the outline around it");
     }
@@ -90,12 +94,14 @@ class RoomLint {
       const Segment& s = reflector.what;
       if (contains(room_.boundary, s.a) || contains(room_.boundary, s.b)) continue;
       if (contains(room_.boundary, 0.5 * (s.a + s.b))) continue;
-      warn(reflector.line, "the reflector stands outside the room's floor, where no echo finds it; move or remove it");
+      warn(Kind::off_floor, reflector.line,
+           "the reflector stands outside the room's floor, where no echo finds it; move or remove it");
     }
     if (floor_.cut_off_area > kCutOffRoom) {
-      warn(source_.counts_line, "walls cut " + phrases_.area(floor_.cut_off_area) +
-                                    " off from the floor, and only the larger part counts; if one can walk there, "
-                                    "make it a room of its own with a door");
+      warn(Kind::cut_off, source_.counts_line,
+           "walls cut " + phrases_.area(floor_.cut_off_area) +
+               " off from the floor, and only the larger part counts; if one can walk there, "
+               "make it a room of its own with a door");
     }
   }
 
@@ -107,9 +113,11 @@ class RoomLint {
       if (place.corner || place.oblique) continue;
       const std::string here = "the corner at " + phrases_.point(listed.what);
       if (place.edge) {
-        warn(listed.line, here + " is an edge, since the walls turn away from the floor there; write '3 x y'");
+        warn(Kind::corner_or_edge, listed.line,
+             here + " is an edge, since the walls turn away from the floor there; write '3 x y'");
       } else {
-        warn(listed.line, here + " is not where two walls make a corner; " + where_instead(listed.what));
+        warn(Kind::corner_or_edge, listed.line,
+             here + " is not where two walls make a corner; " + where_instead(listed.what));
       }
     }
   }
@@ -133,9 +141,10 @@ class RoomLint {
       const std::string here = "the edge at " + phrases_.point(listed.what);
       if (place.edge) continue;
       if (place.corner || place.oblique) {
-        warn(listed.line, here + " is a corner, since the walls turn towards the floor there; write '2 x y'");
+        warn(Kind::corner_or_edge, listed.line,
+             here + " is a corner, since the walls turn towards the floor there; write '2 x y'");
       } else if (!is_on_an_element(listed.what)) {
-        warn(listed.line,
+        warn(Kind::corner_or_edge, listed.line,
              here + " stands on no wall; move it to a door frame or to where walls turn away, or remove it");
       }
     }
@@ -150,8 +159,9 @@ class RoomLint {
   void lint_repeated(const Located<Vec2>& listed, std::vector<Vec2>& seen, std::string_view what) {
     const bool repeated = is_listed(seen, listed.what);
     if (repeated) {
-      warn(listed.line, "the " + std::string(what) + " at " + phrases_.point(listed.what) +
-                            " is listed already; remove one of them");
+      warn(
+          Kind::repeated, listed.line,
+          "the " + std::string(what) + " at " + phrases_.point(listed.what) + " is listed already; remove one of them");
     }
     seen.push_back(listed.what);
   }
@@ -173,8 +183,9 @@ class RoomLint {
       if ((!corner && !edge) || is_listed(listed, meeting.at)) continue;
       listed.push_back(meeting.at);
       const std::string at = phrases_.point(meeting.at);
-      warn(source_.counts_line, corner ? "the corner at " + at + " is missing and is derived; add '2 x y' for it"
-                                       : "the edge at " + at + " is missing and is derived; add '3 x y' for it");
+      warn(Kind::corner_or_edge, source_.counts_line,
+           corner ? "the corner at " + at + " is missing and is derived; add '2 x y' for it"
+                  : "the edge at " + at + " is missing and is derived; add '3 x y' for it");
     }
   }
 

@@ -9,6 +9,8 @@
 namespace echoway {
 namespace {
 
+using Kind = Finding::Kind;
+
 // Nobody walks in less, nothing is built larger; lengths in metres.
 constexpr double kSmallestArea = 0.25;
 constexpr double kNarrowest = 0.3;
@@ -68,12 +70,12 @@ void lint_sizes(const Assembly& assembly, Findings& findings) {
     smallest_side = std::min(smallest_side, narrow);
     const std::string size = phrases.length(extent.width) + " by " + phrases.length(extent.height);
     if (narrow < kNarrowest || area < kSmallestArea) {
-      findings.warn(source.file, source.counts_line, "the room is absurdly small, " + size + ask_for_unit);
+      findings.warn(Kind::size, source.file, source.counts_line, "the room is absurdly small, " + size + ask_for_unit);
     } else if (wide > kWidest) {
-      findings.warn(source.file, source.counts_line, "the room is absurdly large, " + size + ask_for_unit);
+      findings.warn(Kind::size, source.file, source.counts_line, "the room is absurdly large, " + size + ask_for_unit);
     }
     if (extent.farthest > kFarAway) {
-      findings.warn(source.file, source.counts_line,
+      findings.warn(Kind::far_origin, source.file, source.counts_line,
                     "the room lies " + phrases.length(extent.farthest) +
                         " from the origin of its own frame; put the origin at one of its corners");
     }
@@ -81,10 +83,11 @@ void lint_sizes(const Assembly& assembly, Findings& findings) {
   if (!any) return;
   const std::string& config = assembly.source.config.file;
   if (largest_area < kLargestRoomAtLeast) {
-    findings.warn(config, 0, "the largest room has only " + phrases.area(largest_area) + ask_for_unit);
+    findings.warn(Kind::size, config, 0, "the largest room has only " + phrases.area(largest_area) + ask_for_unit);
   }
   if (smallest_side > kSmallestRoomAtMost) {
-    findings.warn(config, 0, "every room is more than " + phrases.length(kSmallestRoomAtMost) + " wide" + ask_for_unit);
+    findings.warn(Kind::size, config, 0,
+                  "every room is more than " + phrases.length(kSmallestRoomAtMost) + " wide" + ask_for_unit);
   }
 }
 

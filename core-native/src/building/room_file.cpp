@@ -9,6 +9,8 @@
 namespace echoway {
 namespace {
 
+using Kind = Finding::Kind;
+
 constexpr std::array<std::string_view, 4> kKinds{"walls", "corners", "edges", "reflectors"};
 constexpr std::string_view kLineForms =
     "write '1 x1 y1 x2 y2' (wall), '2 x y' (corner), '3 x y' (edge) or '4 x1 y1 x2 y2' (reflector)";
@@ -46,7 +48,7 @@ void compare_counts(const Counts& counts, const RoomSource& room, Findings& find
   for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
     const auto said = static_cast<unsigned long long>(counts[kind]);
     if (said == found[kind]) continue;
-    findings.unusable(room.file, room.counts_line,
+    findings.unusable(Kind::wrong_count, room.file, room.counts_line,
                       "says " + std::to_string(said) + " " + std::string(kKinds[kind]) + " but the file has " +
                           std::to_string(found[kind]) + "; correct the count or the lines");
   }
@@ -82,11 +84,11 @@ RoomSource read_room_file(const std::filesystem::path& file, std::string id, Len
     if (parser.problem()) {
       const std::string_view form =
           is_counts ? "the first line must be 'walls corners edges [reflectors]'" : kLineForms;
-      findings.unusable(room.file, reader.line(), *parser.problem() + "; " + std::string(form));
+      findings.unusable(Kind::bad_line, room.file, reader.line(), *parser.problem() + "; " + std::string(form));
       room.readable = false;
     }
     if (++elements > kMaxElements + 1) {
-      findings.unusable(room.file, reader.line(),
+      findings.unusable(Kind::too_large, room.file, reader.line(),
                         "has more than " + std::to_string(kMaxElements) + " elements; split the room at its doors");
       room.readable = false;
       return room;
@@ -97,7 +99,8 @@ RoomSource read_room_file(const std::filesystem::path& file, std::string id, Len
     room.readable = false;
   } else if (!counts) {
     room.readable = false;
-    findings.unusable(room.file, 0, "is empty; the first line must be 'walls corners edges [reflectors]'");
+    findings.unusable(Kind::wrong_count, room.file, 0,
+                      "is empty; the first line must be 'walls corners edges [reflectors]'");
   } else if (room.readable) {
     compare_counts(*counts, room, findings);
   }

@@ -106,6 +106,16 @@ void Follower::stop() {
   hindrances_.clear();
 }
 
+void Follower::start_over() {
+  transition_.reset();
+  turn_told_until_ = -1.0;  // a heading that jumps is no turn to learn from
+  if (mode_ == Mode::tree) {
+    lead_to(std::move(tree_));
+  } else {
+    stop();
+  }
+}
+
 double Follower::lead(const View& view, const Cue& cue) const noexcept {
   return view.speed * (spoken_seconds(cue, *config_) + reaction_s_);
 }

@@ -22,6 +22,8 @@ class Follower {
   void lead_to(RouteTree tree);
   void lead_back(std::vector<Spot> crumbs);
   void stop();
+  /// The wearer is not where they were thought to be: the way to a destination is laid out afresh, one back ends.
+  void start_over();
   [[nodiscard]] bool active() const noexcept { return mode_ != Mode::none; }
   [[nodiscard]] const Route& route() const noexcept { return route_; }
 

@@ -136,6 +136,28 @@ void Guide::on_belt_health(const BeltHealth& health, double now_s) {
   impl_->health.update(health, now_s, impl_->voice);
 }
 
+void Guide::on_restart() {
+  Impl& g = *impl_;
+  g.certainty = Certainty(g.config);
+  g.obstacles.clear();
+  g.follower.start_over();
+  g.voice.forget_instruction();
+  g.estimate = {};
+  g.crumbs.clear();
+  g.was_lost = true;
+  g.told_lost = false;
+  g.lost_since = -1.0;
+  g.last_probe = g.obstacle_told = g.maybe_climbing_until = -1e300;
+  g.room = kNoRoom;
+  g.room_pending = false;
+  g.obstacle_m = -1.0;
+  g.told_in_passing = {};
+  g.told_places.assign(g.told_places.size(), false);
+  g.where_asked = g.where_asked || g.asked_next < g.asked_count;  // an answer that is half given is given afresh
+  g.asked_count = g.asked_next = 0;
+  g.destination_asked = g.follower.active();
+}
+
 void Guide::on_estimate(const Estimate& estimate, std::span<const Hypothesis> hypotheses) {
   Impl& g = *impl_;
   if (!std::isfinite(estimate.time_s)) return;

@@ -193,6 +193,7 @@ Status Session::restart(const Start& start) {
   impl_->config = config;
   impl_->locator = std::move(*locator);
   impl_->fired_from = {};
+  impl_->guide.on_restart();
   return success();
 }
 

@@ -52,6 +52,28 @@ TEST_F(CheckBuilding, FindsNothingInAGoodBuilding) {
   EXPECT_THAT(findings(), IsEmpty());
 }
 
+TEST_F(CheckBuilding, SaysOfWhatKindAFindingIs) {
+  using Kind = Finding::Kind;
+  const auto kinds = [&] {
+    std::vector<Kind> out;
+    for (const Finding& finding : check_building(dir_.path())) out.push_back(finding.kind);
+    return out;
+  };
+  EXPECT_THAT(kinds(), ElementsAre(Kind::no_rooms));
+  two_rooms();
+  config("A 10 5 B 0 5\nB 0 5 A 10 5\nexit Z 1 1\nplace A 50 50 \"\"\n");
+  EXPECT_THAT(kinds(), ElementsAre(Kind::unknown_room, Kind::off_floor, Kind::name));
+  config("A 10 5 B 0 5\nB 0 5.5 A 10 5\n");
+  EXPECT_THAT(kinds(), ElementsAre(Kind::door_lines));
+  config("A 5 5 B 0 5\n");
+  EXPECT_THAT(kinds(), Contains(Kind::door_position));
+  config("");
+  EXPECT_THAT(kinds(), Contains(Kind::unreachable));
+  room("A", "four 0 0\n");
+  room("B", "3 0 0\n1 0 0 10 0\n1 10 0 10 10\n1 10 10 0 10\n");
+  EXPECT_THAT(kinds(), ElementsAre(Kind::bad_line, Kind::open_walls));
+}
+
 // --- Unusable
 // ----------------------------------------------------------------------------------------------------------
 

@@ -305,6 +305,37 @@ TEST_F(GuideTest, LeadsBackTheWayTheWearerCame) {
   EXPECT_NEAR(distance(route.waypoints.back().at, Vec2{1, 1}), 0.0, 1e-9);
 }
 
+TEST_F(GuideTest, AfterARestartTheDestinationStaysAndIsToldFromTheNewPlace) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  (void)wearer.stand(4.0, 0, {1, 2.5}, 0.0);
+  ASSERT_FALSE(guide.breadcrumbs().empty());
+  guide.on_restart();
+  EXPECT_TRUE(guide.has_destination());
+  EXPECT_TRUE(guide.route().waypoints.empty()) << "the old way leads from where the wearer is not";
+  EXPECT_TRUE(guide.breadcrumbs().empty());
+  EXPECT_FALSE(guide.repeat()) << "the old instruction was for another place";
+  const auto cues = wearer.stand(12.0, 1, {1, 1}, -90.0);
+  EXPECT_THAT(kinds(cues), Contains(CueKind::turn));
+  ASSERT_FALSE(guide.breadcrumbs().empty());
+  EXPECT_EQ(guide.breadcrumbs().front().room, 1);
+  EXPECT_EQ(guide.route().waypoints.front().room, 1);
+}
+
+TEST_F(GuideTest, AfterARestartThereIsNoWayBackToWhereTheWearerNeverWas) {
+  (void)wearer.stand(1.0, 0, {1, 1}, 0.0);
+  (void)wearer.stand(1.0, 0, {2.5, 2.5}, 0.0);
+  ASSERT_TRUE(guide.back_track());
+  guide.on_restart();
+  EXPECT_FALSE(guide.has_destination());
+  EXPECT_FALSE(guide.back_track());
+}
+
+TEST_F(GuideTest, AfterARestartTheRoomIsNamedAgain) {
+  ASSERT_THAT(kinds(wearer.stand(12.0, 0, {2, 2}, 0.0)), ElementsAre(CueKind::entering));
+  guide.on_restart();
+  EXPECT_THAT(kinds(wearer.stand(5.0, 0, {2, 2}, 0.0)), Contains(CueKind::entering));
+}
+
 TEST_F(GuideTest, SurvivesNonsense) {
   ASSERT_TRUE(guide.set_destination("Lectern"));
   const double nan = std::numeric_limits<double>::quiet_NaN();

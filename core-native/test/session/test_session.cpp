@@ -104,6 +104,19 @@ TEST(Session, RestartForgetsWhereTheWearerWas) {
   EXPECT_FALSE(session->restart({99, std::nullopt, std::nullopt}).ok());
 }
 
+TEST(Session, RestartKeepsTheDestinationAndForgetsTheWayThatWasWalked) {
+  SessionConfig config;
+  config.start = {0, Vec2{1.5, 4.0}, 0.0};
+  const auto session = open_sample(config);
+  ASSERT_TRUE(session->set_destination({Goal::Kind::spot, -1, {0, {4.5, 1.0}}}).ok());
+  EXPECT_FALSE(session->restart({99, std::nullopt, std::nullopt}).ok());
+  EXPECT_TRUE(session->has_destination());
+  ASSERT_TRUE(session->restart({0, Vec2{4.5, 4.0}, 0.0}).ok());
+  EXPECT_TRUE(session->has_destination());
+  EXPECT_TRUE(session->breadcrumbs().empty());
+  EXPECT_TRUE(session->route().waypoints.empty());
+}
+
 TEST(Session, NothingImpossibleBreaksItOrYieldsANan) {
   const double values[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                            -std::numeric_limits<double>::infinity(), 1e308, -1e308, 0.0, 1.0, 5.0};

@@ -49,6 +49,9 @@ class Guide {
   /// Looks for things in the way; the estimate taken is the newest one.
   void on_firing(const Firing& firing);
   void on_belt_health(const BeltHealth& health, double now_s);
+  /// The locator starts over: whatever followed from where the wearer was taken to be is forgotten, the breadcrumbs too. A
+  /// destination is kept and the way there told anew from the next estimate; a way back ends.
+  void on_restart();
 
   /// Takes the next cue to be spoken; false when there is none.
   bool next_cue(Cue& cue);

@@ -91,7 +91,7 @@ class CoreSession private constructor(handle: Long) : Closeable {
         checked(NativeCore.onBelt(open(), false, nowS, estimateBuffer))
     }
 
-    /** Forgets where the wearer is and starts over. */
+    /** Forgets where the wearer is and has been, and starts over; a destination is kept, a way back ends. */
     fun restart(start: Start) {
         wish { error -> NativeCore.restart(open(), start.room, start.x, start.y, start.turn, estimateBuffer, error) }
     }

@@ -48,6 +48,6 @@ class LanguagesTest {
 
     private companion object {
         val KINDS = setOf("string", "plurals", "string-array")
-        val PLACE = Regex("%\\d\\$[sd]")
+        val PLACE = Regex("%\\d\\$[.\\d]*[sdf]")
     }
 }

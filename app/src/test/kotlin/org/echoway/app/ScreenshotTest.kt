@@ -1,12 +1,12 @@
 package org.echoway.app
 
 import androidx.compose.ui.test.junit4.v2.createComposeRule
-import androidx.compose.ui.test.onRoot
 import com.github.takahirom.roborazzi.captureRoboImage
 import org.echoway.app.screens.Device
 import org.echoway.app.screens.Specimen
 import org.echoway.app.screens.Variant
 import org.echoway.app.screens.assertAccessible
+import org.echoway.app.screens.onTopWindow
 import org.echoway.app.screens.specimens
 import org.echoway.app.ui.EchowayTheme
 import org.junit.Rule
@@ -29,7 +29,7 @@ class ScreenshotTest(private val specimen: Specimen, private val variant: Varian
 
     @Test fun looksAsItShouldAndCanBeUsedByEverybody() {
         rule.setContent { EchowayTheme(variant.theme, specimen.screen) }
-        if (variant in specimen.variants) rule.onRoot().captureRoboImage("$FOLDER/${specimen.name}${variant.suffix}.png")
+        if (variant in specimen.variants) rule.onTopWindow().captureRoboImage("$FOLDER/${specimen.name}${variant.suffix}.png")
         rule.assertAccessible()
     }
 

@@ -74,7 +74,7 @@ class Guide(
             Ask.WHERE_AM_I -> announcer.withoutAnswer()?.let { tell(Message.Unanswerable(it)) } ?: core.ask(Wish.WhereAmI)
             Ask.REPEAT -> repeat()
             Ask.MUTE -> mute(!silenced.value)
-            Ask.WAY_OUT -> lead(Wish.LeadTo(Destination.WAY_OUT, preferences))
+            Ask.WAY_OUT -> leadTo(Destination.WAY_OUT)
             Ask.WAY_BACK -> if (lead(Wish.BackTrack)) tell(Message.LeadingBack)
             Ask.STOP_LEADING -> if (lead(Wish.StopLeading)) tell(Message.LeadingStopped)
         }
@@ -82,7 +82,8 @@ class Guide(
 
     /** Leads to a destination from now on. */
     fun leadTo(destination: Destination) {
-        lead(Wish.LeadTo(destination, preferences))
+        // The core keeps the wish and answers it when it knows where the wearer is; without a belt that may take long.
+        if (lead(Wish.LeadTo(destination, preferences))) announcer.withoutAnswer()?.let { tell(Message.Unanswerable(it)) }
     }
 
     /** Says a line of a screen that explains itself; the newest takes the place of the one before. */

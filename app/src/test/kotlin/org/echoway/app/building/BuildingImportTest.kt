@@ -139,8 +139,36 @@ class BuildingImportTest {
     @Test fun aMillionFilesAreRefusedBeforeOneIsUnpacked() {
         val few = BuildingImport(home, File(root, "workshop"), ImportLimits(files = 100))
         assertRefused(ImportProblem.TOO_MANY_FILES) { few.zip("a") { ByteArrayInputStream(zipped((0..100).associate { "f$it" to ByteArray(0) })) } }
-        val million = zipped((0 until 70_000).associate { "f$it" to ByteArray(0) })
-        assertRefused(ImportProblem.TOO_MANY_FILES, million)
+        val million = File(root, "million.zip")
+        ZipOutputStream(million.outputStream().buffered()).use { zip -> repeat(1_000_000) { zip.putNextEntry(ZipEntry("$it")) } }
+        val problem = assertThrows(ImportException::class.java) { import.zip("a") { million.inputStream() } }.problem
+        million.delete()
+        assertEquals(ImportProblem.TOO_LARGE, problem)
+        assertNothingLeft()
+    }
+
+    /** All point to one file, and the archive says that it has one: listing them would take the phone's memory. */
+    @Test fun aDirectoryOfHalfAMillionEntriesForOneFileIsRefused() {
+        val honest = zipped(mapOf("a" to ByteArray(0)))
+        val directory = honest.indexOfLast(byteArrayOf(0x50, 0x4B, 1, 2))
+        val end = honest.indexOfLast(byteArrayOf(0x50, 0x4B, 5, 6))
+        val hostile = ByteArrayOutputStream()
+        hostile.write(honest, 0, directory)
+        repeat(500_000) { hostile.write(honest, directory, end - directory) }
+        hostile.write(honest, end, honest.size - end)
+        assertTrue("not refused for its size", hostile.size() < ImportLimits().archiveBytes)
+        assertRefused(ImportProblem.TOO_MANY_FILES, hostile.toByteArray())
+    }
+
+    @Test fun anArchiveWithAPasswordIsRefused() {
+        val locked = zipped(good())
+        // Bit 0 of an entry's flags: encrypted.
+        for (at in 0..locked.size - 10) {
+            if (locked[at] != 0x50.toByte() || locked[at + 1] != 0x4B.toByte()) continue
+            val flags = mapOf(3 to 6, 1 to 8)[locked[at + 2].toInt()] ?: continue
+            locked[at + flags] = (locked[at + flags].toInt() or 1).toByte()
+        }
+        assertRefused(ImportProblem.ENCRYPTED, locked)
     }
 
     @Test fun anEndlessStreamIsCutOff() {

@@ -1,6 +1,7 @@
 package org.echoway.app.control
 
 import android.content.Context
+import android.view.KeyEvent
 import androidx.media3.common.C
 import androidx.media3.session.MediaController
 import androidx.test.core.app.ApplicationProvider
@@ -25,14 +26,15 @@ class MediaControlsTest {
 
     private fun settle() = repeat(20) { ShadowLooper.idleMainLooper(20, TimeUnit.MILLISECONDS) }
 
-    private val headset: MediaController by lazy {
+    private val connection = lazy {
         val connecting = MediaController.Builder(context, controls.session.token).buildAsync()
         settle()
         connecting.get(1, TimeUnit.SECONDS)
     }
+    private val headset: MediaController by connection
 
     @After fun close() {
-        headset.release()
+        if (connection.isInitialized()) headset.release()
         controls.close()
     }
 
@@ -53,6 +55,41 @@ class MediaControlsTest {
         headset.pause()
         settle()
         assertEquals(listOf(Ask.WHERE_AM_I, Ask.WHERE_AM_I), asked)
+    }
+
+    private fun pressed(vararg keys: Int, betweenMs: Long = 200): List<Ask> {
+        asked.clear()
+        for (key in keys) {
+            controls.session.press(key)
+            ShadowLooper.idleMainLooper(betweenMs, TimeUnit.MILLISECONDS)
+        }
+        ShadowLooper.idleMainLooper(2, TimeUnit.SECONDS)
+        return asked.toList()
+    }
+
+    @Test fun everyMediaKeyAsks() {
+        assertEquals(listOf(Ask.WHERE_AM_I), pressed(KeyEvent.KEYCODE_MEDIA_PLAY))
+        assertEquals(listOf(Ask.WHERE_AM_I), pressed(KeyEvent.KEYCODE_MEDIA_PAUSE))
+        assertEquals(listOf(Ask.REPEAT), pressed(KeyEvent.KEYCODE_MEDIA_NEXT))
+        assertEquals(listOf(Ask.WAY_OUT), pressed(KeyEvent.KEYCODE_MEDIA_PREVIOUS))
+        assertEquals(listOf(Ask.MUTE), pressed(KeyEvent.KEYCODE_MEDIA_STOP))
+        assertEquals(emptyList<Ask>(), pressed(KeyEvent.KEYCODE_MEDIA_RECORD))
+    }
+
+    @Test fun aHeadsetWithOneButtonAsksByTheNumberOfPresses() {
+        for (button in listOf(KeyEvent.KEYCODE_HEADSETHOOK, KeyEvent.KEYCODE_MEDIA_PLAY_PAUSE)) {
+            assertEquals(listOf(Ask.WHERE_AM_I), pressed(button))
+            assertEquals(listOf(Ask.REPEAT), pressed(button, button))
+            assertEquals(listOf(Ask.WAY_OUT), pressed(button, button, button))
+            assertEquals("slow presses are one each", listOf(Ask.WHERE_AM_I, Ask.WHERE_AM_I), pressed(button, button, betweenMs = 1_000))
+        }
+    }
+
+    @Test fun aPressThatIsStillCountedWhenGuidanceEndsAsksNothing() {
+        controls.session.press(KeyEvent.KEYCODE_HEADSETHOOK)
+        controls.close()
+        ShadowLooper.idleMainLooper(2, TimeUnit.SECONDS)
+        assertEquals(emptyList<Ask>(), asked)
     }
 
     @Test fun volumeKeysAskWithTheScreenOffInFirefighterMode() {

@@ -8,8 +8,10 @@ import androidx.compose.ui.semantics.SemanticsActions
 import androidx.compose.ui.semantics.SemanticsNode
 import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.semantics.getOrNull
+import androidx.compose.ui.test.SemanticsNodeInteraction
 import androidx.compose.ui.test.SemanticsNodeInteractionsProvider
-import androidx.compose.ui.test.onRoot
+import androidx.compose.ui.test.isRoot
+import androidx.compose.ui.test.onLast
 import androidx.compose.ui.text.TextLayoutResult
 import com.google.android.apps.common.testing.accessibility.framework.AccessibilityCheckPreset
 import com.google.android.apps.common.testing.accessibility.framework.AccessibilityCheckResult.AccessibilityCheckResultType
@@ -26,14 +28,17 @@ import org.junit.Assert.assertEquals
  * what a reader comes to first.
  */
 fun SemanticsNodeInteractionsProvider.assertAccessible() {
-    val root = onRoot().fetchSemanticsNode()
+    val root = onTopWindow().fetchSemanticsNode()
     val problems = frameworkProblems((root.root as ViewRootForTest).view) + textProblems(root) + headingProblems(root)
     assertEquals("accessibility", "", problems.joinToString("\n"))
 }
 
+/** The dialog where one is open, else the screen. */
+fun SemanticsNodeInteractionsProvider.onTopWindow(): SemanticsNodeInteraction = onAllNodes(isRoot()).onLast()
+
 /** What a screen reader says when one swipes through the screen: a line a stop, in order. */
 fun SemanticsNodeInteractionsProvider.spokenLines(): List<String> =
-    onRoot().fetchSemanticsNode().stops().map { node -> (listOf(node.said) + listOfNotNull(node.stateSaid)).joinToString(", ") }
+    onTopWindow().fetchSemanticsNode().stops().map { node -> (listOf(node.said) + listOfNotNull(node.stateSaid)).joinToString(", ") }
 
 private fun frameworkProblems(view: View): List<String> {
     val node = view.createAccessibilityNodeInfo()

@@ -19,6 +19,7 @@ import org.echoway.core.BeltLink
 import org.echoway.core.Element
 import org.echoway.core.ExplainedEcho
 import org.echoway.core.Finding
+import org.echoway.core.FindingKind
 import org.echoway.core.LengthStyle
 import org.echoway.core.Point
 import org.echoway.core.SensorHealth
@@ -31,8 +32,10 @@ internal fun dataSpecimens() = listOf(
     buildings("buildings", USUAL, null),
     buildings("buildings-imported", LIGHT_ONLY, BuildingNotice.Imported("Two rooms", FINDINGS)),
     buildings("buildings-refused", LIGHT_ONLY, BuildingNotice.Refused(ImportProblem.UNSAFE_NAME, "../../treasure")),
-    buildings("buildings-unusable", LIGHT_ONLY, BuildingNotice.Unusable(FINDINGS.map { it.copy(severity = Severity.UNUSABLE) })),
+    buildings("buildings-unusable", setOf(Variant.LIGHT, Variant.GERMAN_LARGE_TEXT), BuildingNotice.Unusable(FINDINGS.map { it.copy(severity = Severity.UNUSABLE) })),
+    buildings("buildings-delete", setOf(Variant.LIGHT, Variant.GERMAN_LARGE_TEXT), null, askDelete = MINE),
     recordings("recordings", USUAL, RecordingStatus.On("2026-11-25_20-15-03")),
+    recordings("recordings-delete", LIGHT_ONLY, RecordingStatus.Off, askDelete = RECORDED.last()),
     recordings("recordings-disk-full", LIGHT_ONLY, RecordingStatus.Failed(diskFull = true, reason = "")),
     Specimen("diagnostics") { DiagnosticsScreen(HEALTH, {}, {}) },
     Specimen("diagnostics-no-belt", LIGHT_ONLY) { DiagnosticsScreen(BeltHealth.NONE, {}, {}) },
@@ -40,30 +43,34 @@ internal fun dataSpecimens() = listOf(
     Specimen("belt-view-off", LIGHT_ONLY) { BeltScreen(emptyList(), LengthStyle.FEET, {}) },
 )
 
-private fun buildings(name: String, variants: Set<Variant>, notice: BuildingNotice?) = Specimen(name, variants) {
+private fun buildings(name: String, variants: Set<Variant>, notice: BuildingNotice?, askDelete: BuildingItem? = null) = Specimen(name, variants) {
     BuildingsScreen(
         BuildingsUiState(
             listOf(
                 BuildingItem("torgersen-lab", "Torgersen laboratory", rooms = 7, exits = 2, imported = false, chosen = true),
-                BuildingItem("two-rooms", "Two rooms", rooms = 2, exits = 0, imported = true, chosen = false),
+                MINE,
             ),
             notice,
+            askDelete,
         ),
         BuildingsActions({}, {}, {}, {}, {}, {}, {}, {}),
     )
 }
 
-private fun recordings(name: String, variants: Set<Variant>, status: RecordingStatus) = Specimen(name, variants) {
-    val all = listOf(
-        Recording("2026-11-25_20-15-03", LocalDateTime.of(2026, 11, 25, 20, 15, 3), 42.0, 61_234, "torgersen-lab"),
-        Recording("2026-11-24_09-03-00", LocalDateTime.of(2026, 11, 24, 9, 3, 0), 1260.0, 1_812_345, "torgersen-lab"),
-    )
-    RecordingsScreen(RecordingsUiState(all, recordWalks = true, status), RecordingsActions({}, {}, {}, {}, {}, {}))
+private val MINE = BuildingItem("two-rooms", "Two rooms", rooms = 2, exits = 0, imported = true, chosen = false)
+
+private fun recordings(name: String, variants: Set<Variant>, status: RecordingStatus, askDelete: Recording? = null) = Specimen(name, variants) {
+    RecordingsScreen(RecordingsUiState(RECORDED, recordWalks = true, status, askDelete), RecordingsActions({}, {}, {}, {}, {}, {}))
 }
 
+private val RECORDED = listOf(
+    Recording("2026-11-25_20-15-03", LocalDateTime.of(2026, 11, 25, 20, 15, 3), 42.0, 61_234, "torgersen-lab"),
+    Recording("2026-11-24_09-03-00", LocalDateTime.of(2026, 11, 24, 9, 3, 0), 1260.0, 1_812_345, "torgersen-lab"),
+)
+
 private val FINDINGS = listOf(
-    Finding(Severity.WARNING, "building.cfg", 7, "the door between office and hall is 4 in off the wall; move it onto the wall"),
-    Finding(Severity.WARNING, "room-hall.room", null, "no door leads here; add one to building.cfg"),
+    Finding(Severity.WARNING, FindingKind.DOOR_POSITION, "building.cfg", 7, "the door between office and hall is 4 in off the wall; move it onto the wall"),
+    Finding(Severity.WARNING, FindingKind.UNREACHABLE, "room-hall.room", null, "no door leads here; add one to building.cfg"),
 )
 
 private val HEALTH = BeltHealth(

@@ -162,7 +162,8 @@ class NavigationServiceTest {
             assertEquals("$ask", words, container.voice.words.last())
         }
         command(NavigationService.actionOf(Ask.WAY_OUT))
-        settle(1_000)
+        settle(6_000)
+        assertEquals("whoever asks hears why no way is told yet", "Belt disconnected.", container.voice.words.last())
         assertEquals(Wish.LeadTo(Destination.WAY_OUT), awaitRunning().leading)
     }
 

@@ -3,28 +3,25 @@ package org.echoway.app.ui.buildings
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.FlowRow
-import androidx.compose.material3.AlertDialog
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.MaterialTheme
 import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.res.pluralStringResource
 import androidx.compose.ui.res.stringResource
 import androidx.compose.ui.semantics.LiveRegionMode
-import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.echoway.app.R
 import org.echoway.app.building.ImportProblem
 import org.echoway.app.ui.common.Action
+import org.echoway.app.ui.common.AskDelete
 import org.echoway.app.ui.common.Choice
+import org.echoway.app.ui.common.NamedAction
 import org.echoway.app.ui.common.Screen
 import org.echoway.app.ui.common.Subheading
-import org.echoway.core.Finding
-import org.echoway.core.Severity
 
 /** What the wearer can do with buildings. */
 data class BuildingsActions(
@@ -49,7 +46,7 @@ fun BuildingsScreen(state: BuildingsUiState, actions: BuildingsActions) {
         Action(stringResource(R.string.import_zip), onClick = actions.onImportZip)
         Action(stringResource(R.string.import_folder), onClick = actions.onImportFolder)
     }
-    state.askDelete?.let { AskDelete(it, actions) }
+    state.askDelete?.let { item -> AskDelete(item.title, { actions.onAskDelete(null) }) { actions.onDelete(item) } }
 }
 
 @Composable
@@ -61,17 +58,10 @@ private fun Building(item: BuildingItem, actions: BuildingsActions) {
         Text(stringResource(R.string.building_size, rooms, exits), style = MaterialTheme.typography.bodyLarge)
         if (item.chosen && item.exits > 0) Action(stringResource(R.string.choose_entrance), onClick = actions.onEntrance)
         FlowRow(horizontalArrangement = Arrangement.spacedBy(12.dp)) {
-            Named(R.string.check_building, item) { actions.onCheck(item) }
-            if (item.imported) Named(R.string.delete, item) { actions.onAskDelete(item) }
+            NamedAction(stringResource(R.string.check_building), item.title) { actions.onCheck(item) }
+            if (item.imported) NamedAction(stringResource(R.string.delete), item.title) { actions.onAskDelete(item) }
         }
     }
-}
-
-/** The same few words stand below each building; who does not see them together hears which one is meant. */
-@Composable
-private fun Named(words: Int, item: BuildingItem, onClick: () -> Unit) {
-    val spoken = "${stringResource(words)}: ${item.title}"
-    Action(stringResource(words), Modifier.semantics { contentDescription = spoken }, onClick = onClick)
 }
 
 @Composable
@@ -102,32 +92,7 @@ private fun Notice(notice: BuildingNotice) {
     }
 }
 
-@Composable
-private fun Findings(findings: List<Finding>) {
-    if (findings.isEmpty()) Text(stringResource(R.string.nothing_to_mend))
-    findings.take(SHOWN).forEach { finding ->
-        val severity = stringResource(if (finding.severity == Severity.UNUSABLE) R.string.finding_unusable else R.string.finding_warning)
-        val place = finding.line?.let { stringResource(R.string.finding_line, finding.file, it) } ?: finding.file
-        Text(stringResource(R.string.finding, severity, finding.problem, place), style = MaterialTheme.typography.bodyLarge)
-    }
-    val more = findings.size - SHOWN
-    if (more > 0) Text(pluralStringResource(R.plurals.more_findings, more, more))
-}
-
-@Composable
-private fun AskDelete(item: BuildingItem, actions: BuildingsActions) {
-    AlertDialog(
-        onDismissRequest = { actions.onAskDelete(null) },
-        title = { Text(stringResource(R.string.ask_delete, item.title)) },
-        confirmButton = { TextButton({ actions.onDelete(item) }) { Text(stringResource(R.string.delete)) } },
-        dismissButton = { TextButton({ actions.onAskDelete(null) }) { Text(stringResource(R.string.keep)) } },
-    )
-}
-
 private val NAMES_A_FILE = setOf(ImportProblem.UNSAFE_NAME, ImportProblem.DUPLICATE_NAME, ImportProblem.BAD_NAME)
-
-/** A building with many faults mostly has one, many times. */
-private const val SHOWN = 20
 
 private val ImportProblem.words
     get() = when (this) {

@@ -15,6 +15,7 @@ import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
 import androidx.compose.foundation.selection.toggleable
 import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.AlertDialog
 import androidx.compose.material3.Button
 import androidx.compose.material3.MaterialTheme
 import androidx.compose.material3.OutlinedButton
@@ -27,6 +28,7 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.res.stringResource
 import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextAlign
@@ -94,6 +96,23 @@ fun Action(text: String, modifier: Modifier = Modifier.fillMaxWidth(), enabled: 
     OutlinedButton(onClick, modifier.heightIn(min = 56.dp), enabled) {
         Text(text, style = MaterialTheme.typography.bodyLarge, textAlign = TextAlign.Center)
     }
+}
+
+/** An action whose words stand below each thing in a list; who does not see them together hears of which one. */
+@Composable
+fun NamedAction(text: String, of: String, onClick: () -> Unit) {
+    Action(text, Modifier.semantics { contentDescription = "$text: $of" }, onClick = onClick)
+}
+
+/** Asks before something is gone for good. */
+@Composable
+fun AskDelete(what: String, onKeep: () -> Unit, onDelete: () -> Unit) {
+    AlertDialog(
+        onDismissRequest = onKeep,
+        title = { Heading(stringResource(R.string.ask_delete, what)) },
+        confirmButton = { Action(stringResource(R.string.delete), Modifier, onClick = onDelete) },
+        dismissButton = { Action(stringResource(R.string.keep), Modifier, onClick = onKeep) },
+    )
 }
 
 /** One of several to choose; inside a [Choices]. */

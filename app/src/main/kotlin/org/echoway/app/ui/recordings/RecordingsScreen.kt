@@ -4,11 +4,9 @@ import android.text.format.Formatter
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.FlowRow
-import androidx.compose.material3.AlertDialog
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.MaterialTheme
 import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalConfiguration
@@ -16,7 +14,6 @@ import androidx.compose.ui.platform.LocalContext
 import androidx.compose.ui.res.pluralStringResource
 import androidx.compose.ui.res.stringResource
 import androidx.compose.ui.semantics.LiveRegionMode
-import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
@@ -26,7 +23,8 @@ import kotlin.math.roundToInt
 import org.echoway.app.R
 import org.echoway.app.recording.Recording
 import org.echoway.app.recording.RecordingStatus
-import org.echoway.app.ui.common.Action
+import org.echoway.app.ui.common.AskDelete
+import org.echoway.app.ui.common.NamedAction
 import org.echoway.app.ui.common.Screen
 import org.echoway.app.ui.common.Subheading
 import org.echoway.app.ui.common.Toggle
@@ -53,7 +51,7 @@ fun RecordingsScreen(state: RecordingsUiState, actions: RecordingsActions) {
             Item(recording, (state.status as? RecordingStatus.On)?.name == recording.name, actions)
         }
     }
-    state.askDelete?.let { AskDelete(it, actions) }
+    state.askDelete?.let { recording -> AskDelete(title(recording), { actions.onAskDelete(null) }) { actions.onDelete(recording) } }
 }
 
 @Composable
@@ -82,9 +80,9 @@ private fun Item(recording: Recording, running: Boolean, actions: RecordingsActi
         Text(description(recording), style = MaterialTheme.typography.bodyLarge)
         if (!running) {
             FlowRow(horizontalArrangement = Arrangement.spacedBy(12.dp)) {
-                Named(R.string.replay, title) { actions.onReplay(recording) }
-                Named(R.string.share, title) { actions.onShare(recording) }
-                Named(R.string.delete, title) { actions.onAskDelete(recording) }
+                NamedAction(stringResource(R.string.replay), title) { actions.onReplay(recording) }
+                NamedAction(stringResource(R.string.share), title) { actions.onShare(recording) }
+                NamedAction(stringResource(R.string.delete), title) { actions.onAskDelete(recording) }
             }
         }
     }
@@ -106,23 +104,6 @@ private fun description(recording: Recording): String {
     }
     val size = Formatter.formatShortFileSize(LocalContext.current, recording.bytes)
     return listOfNotNull(recording.building, length, size).joinToString(", ")
-}
-
-/** The same few words stand below each recording; who does not see them together hears which one is meant. */
-@Composable
-private fun Named(words: Int, title: String, onClick: () -> Unit) {
-    val spoken = "${stringResource(words)}: $title"
-    Action(stringResource(words), Modifier.semantics { contentDescription = spoken }, onClick = onClick)
-}
-
-@Composable
-private fun AskDelete(recording: Recording, actions: RecordingsActions) {
-    AlertDialog(
-        onDismissRequest = { actions.onAskDelete(null) },
-        title = { Text(stringResource(R.string.ask_delete, title(recording))) },
-        confirmButton = { TextButton({ actions.onDelete(recording) }) { Text(stringResource(R.string.delete)) } },
-        dismissButton = { TextButton({ actions.onAskDelete(null) }) { Text(stringResource(R.string.keep)) } },
-    )
 }
 
 private const val SECONDS_PER_MINUTE = 60
