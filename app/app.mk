@@ -5,8 +5,7 @@ JNI_DIR := $(CURDIR)/$(BUILD)/release/jni
 
 .PHONY: fetch-app test-app screenshots bundled-walk apk bench-app check-gradle update-lock
 
-# Downloads what the app's tests need, to have it over with.
-fetch-app:
+fetch-app: ## Download what the app's tests need, to have it over with
 	$(SDKLESS) fetch
 
 test-app: core ## The app on Robolectric, with the core through JNI
@@ -16,8 +15,8 @@ test-app: core ## The app on Robolectric, with the core through JNI
 screenshots: core ## Draw the golden screenshots anew
 	$(SDKLESS) screenshots $(JNI_DIR)
 
-# The echoes of the walk that the app plays without a belt. The truth beside them is what the tests check the words against.
-bundled-walk: core
+# The truth beside the echoes is what the tests check the words against.
+bundled-walk: core ## Simulate anew the walk that the app plays without a belt
 	$(ECHOWAY) simulate --building maps/torgersen-lab --walk app/src/main/assets/walks/torgersen-lab.walk --out $(BUILD)/torgersen-lab
 	mv $(BUILD)/torgersen-lab.scans.csv $(BUILD)/torgersen-lab.motion.csv app/src/main/assets/walks/
 	mv $(BUILD)/torgersen-lab.truth.csv app/src/sharedTest/resources/walks/
@@ -45,5 +44,5 @@ check-gradle: ## Type-check the Gradle scripts where no Gradle is
 	$(SDKLESS) check-gradle
 
 # After a change to gradle/libs.versions.toml, gradle/sdkless-pins.txt or a script's dependencies.
-update-lock:
+update-lock: ## Resolve the version catalog into the lock
 	$(SDKLESS) update-lock
