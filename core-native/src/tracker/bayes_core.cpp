@@ -25,7 +25,7 @@ constexpr double kShareGain = 1.0 / 24.0;
 constexpr double kSurelyUnmapped = 0.6;
 constexpr double kSureEnough = 0.35;              // Metres.
 constexpr double kBeyondArms = 0.40;              // Metres.
-constexpr double kPaceGain = 1.0 / 160.0;         // Per firing: ten seconds of walking.
+constexpr double kPaceGain = 1.0 / 64.0;          // Per firing: four seconds of walking.
 constexpr double kSure = 0.9;                     // Probability of the place from which on it is tracked,
 constexpr double kSharp = 1.0;                    // and its standard deviation in metres.
 

@@ -80,7 +80,7 @@ void BayesLocator::Core::place_known(const Pose2& pose, RoomIndex room, bool hea
     p.facing = {f.cos, f.sin};
     const bool walks = i % 2 == 0;
     p.gait = walks ? Gait::walking : Gait::standing;
-    p.speed = walks ? pace_ : 0.0;
+    p.speed = !walks ? 0.0 : i % 4 == 0 ? pace_ : random_.uniform(motion_.slowest_pace, motion_.fastest_pace);
     p.gyro_bias = motion_.gyro_bias_sigma * cheap_normal(random_);
     p.turn_rate = motion_.straight_sigma * cheap_normal(random_);
     p.cov.xx = p.cov.yy = kStartPositionSigma * kStartPositionSigma;

@@ -66,7 +66,11 @@ void change_gait(Particle& p, double dt, const MotionParameters& m, double pace,
     forget_speed(p, 0.0, m.standing_sigma);
   } else {
     p.gait = Gait::walking;
-    forget_speed(p, pace, m.start_sigma);
+    if (random.uniform() < m.new_pace_share) {
+      forget_speed(p, random.uniform(m.slowest_pace, m.fastest_pace), m.new_pace_sigma);
+    } else {
+      forget_speed(p, pace, m.start_sigma);
+    }
   }
   const double along = m.change_sigma * m.change_sigma;
   p.cov.xx += along * p.facing.x * p.facing.x;

@@ -15,7 +15,10 @@ struct MotionParameters {
   double pace_memory = 5.0;              ///< with a return to the wearer's usual pace in so many seconds.
   double stop_rate = 0.12;               ///< 1/s: walking ends,
   double start_rate = 0.35;              ///< and begins.
-  double start_sigma = 0.08;             ///< m/s: how well the usual pace tells the pace of a new start.
+  double start_sigma = 0.08;             ///< m/s: how well the usual pace tells the pace of a new start ...
+  double new_pace_share = 0.3;           ///< ... unless the wearer sets out, so often, at another one,
+  double slowest_pace = 0.3, fastest_pace = 1.6;   ///< m/s: anything between these,
+  double new_pace_sigma = 0.15;          ///< of which a particle stands for so much.
   double change_sigma = 0.06;            ///< m along the heading that a start or stop takes or gives.
   double standing_sigma = 0.03;          ///< m/s: shuffling.
   double sway = 0.04;                    ///< m per root second, any direction: gait, side steps.
