@@ -50,7 +50,8 @@ void predict(Particle& p, double dt, const MotionParameters& m, double pace) noe
     const double back = std::min(1.0, dt / m.pace_memory);
     p.speed += back * (pace - p.speed);
     scale_speed_row(c, 1.0 - back);
-    c.ss += m.pace_drift * m.pace_drift * dt;
+    const double drift = m.pace_drift * std::max(pace, m.slowest_pace);
+    c.ss += drift * drift * dt;
   } else if (p.gait == Gait::unknown) {
     c.ss += m.speed_drift * m.speed_drift * dt;
     if (c.ss > kMostSpeedVariance) scale_speed_row(c, std::sqrt(kMostSpeedVariance / c.ss));
@@ -61,6 +62,7 @@ void predict(Particle& p, double dt, const MotionParameters& m, double pace) noe
 void change_gait(Particle& p, double dt, const MotionParameters& m, double pace, Random& random) noexcept {
   const double rate = p.gait == Gait::walking ? m.stop_rate : m.start_rate;
   if (random.uniform() >= 1.0 - fast_exp(-rate * dt)) return;
+  const double lost = m.change_seconds * std::max(std::abs(p.gait == Gait::walking ? p.speed : pace), m.slowest_pace);
   if (p.gait == Gait::walking) {
     p.gait = Gait::standing;
     forget_speed(p, 0.0, m.standing_sigma);
@@ -72,7 +74,7 @@ void change_gait(Particle& p, double dt, const MotionParameters& m, double pace,
       forget_speed(p, pace, m.start_sigma);
     }
   }
-  const double along = m.change_sigma * m.change_sigma;
+  const double along = lost * lost;
   p.cov.xx += along * p.facing.x * p.facing.x;
   p.cov.xy += along * p.facing.x * p.facing.y;
   p.cov.yy += along * p.facing.y * p.facing.y;
