@@ -11,7 +11,7 @@ namespace echoway::tracker {
 struct MotionParameters {
   double start_speed = 0.5, start_speed_sigma = 0.30;     ///< m/s, before anything is known.
   double speed_drift = 0.30;             ///< m/s per root second, while the gait is unknown.
-  double pace_drift = 0.09;              ///< Of the pace, per root second, while walking,
+  double pace_drift = 0.12;              ///< Of the pace, per root second, while walking,
   double pace_memory = 5.0;              ///< with a return to the wearer's usual pace in so many seconds.
   double stop_rate = 0.12;               ///< 1/s: walking ends,
   double start_rate = 0.35;              ///< and begins.
@@ -19,7 +19,7 @@ struct MotionParameters {
   double new_pace_share = 0.3;           ///< ... unless the wearer sets out, so often, at another one,
   double slowest_pace = 0.3, fastest_pace = 1.6;   ///< m/s: anything between these,
   double new_pace_sigma = 0.15;          ///< of which a particle stands for so much.
-  double change_seconds = 0.15;          ///< Of walking that a start or stop takes or gives.
+  double change_seconds = 0.20;          ///< Of walking that a start or stop takes or gives.
   double standing_sigma = 0.03;          ///< m/s: shuffling.
   double sway = 0.04;                    ///< m per root second, any direction: gait, side steps.
   double gyro_bias_sigma = degrees(1.5); ///< rad/s, of an unknown phone.
