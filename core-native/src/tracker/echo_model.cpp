@@ -16,8 +16,8 @@ constexpr double kLeastEdgeChance = 0.01;   // An edge that answers less often t
 }  // namespace
 
 EchoModelParameters hard_of_hearing(EchoModelParameters parameters) {
-  parameters.fade_range_m = 1.4;
-  parameters.fade_softness_m = 0.2;
+  parameters.fade_range_m = 1.3;
+  parameters.fade_softness_m = 0.15;
   parameters.mirrored_range_m = 1.2;
   return parameters;
 }
