@@ -33,11 +33,6 @@ double tempered(double density, double share) noexcept {
   return share < 1.0 ? fast_exp(share * fast_log(density)) : density;
 }
 
-Shot with_full_trust(Shot shot) noexcept {
-  shot.trust = 1.0;
-  return shot;
-}
-
 }  // namespace
 
 void BayesLocator::Core::on_motion(const MotionHint& hint) {
@@ -175,16 +170,21 @@ BayesLocator::Core::Verdict BayesLocator::Core::update(Population& population, c
       plan += p.weight * outcome.plan;
       p.weight *= tempered(outcome.density, record.novelty);
     } else {
-      // A suspect sensor moves nothing, but whether the plan explains it again must be known to acquit it.
-      Particle untouched = p;
-      mapped += p.weight * assimilate(untouched, with_full_trust(shot), *model_, scene_).mapped;
       plan += p.weight;
+      // A suspect sensor moves nothing, but whether the plan explains it again must be known to acquit it.
+      if (record.echo) mapped += p.weight * mapped_share_of(p, shot);
     }
     p.weight *= settle_on_floor(p, scene_);
   }
   population.normalize();
   if (!(before > 0.0)) return {};
   return {fast_log(plan) - fast_log(before), mapped / before};
+}
+
+double BayesLocator::Core::mapped_share_of(const Particle& p, Shot shot) {
+  shot.trust = 1.0;
+  Particle untouched = p;
+  return assimilate(untouched, shot, *model_, scene_).mapped;
 }
 
 // On stairs the walls of the stairwell still stand beside the wearer, as far as anybody can tell; in an elevator nothing in

@@ -54,6 +54,7 @@ class BayesLocator::Core {
   };
   Verdict update(tracker::Population& population, const tracker::Record& record,
                  const tracker::HintIntegrator::GaitEvidence& gait, const tracker::Shot& shot);
+  [[nodiscard]] double mapped_share_of(const tracker::Particle& p, tracker::Shot shot);
   [[nodiscard]] double density_away(tracker::Particle& p, const tracker::Shot& shot, double anywhere);
   void track(tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait);
   void thin_out(tracker::Population& population);

@@ -16,7 +16,7 @@ struct MotionParameters {
   double stop_rate = 0.12;               ///< 1/s: walking ends,
   double start_rate = 0.35;              ///< and begins.
   double start_sigma = 0.08;             ///< m/s: how well the usual pace tells the pace of a new start ...
-  double new_pace_share = 0.3;           ///< ... unless the wearer sets out, so often, at another one,
+  double new_pace_share = 0.1;           ///< ... unless the wearer sets out, so often, at another one,
   double slowest_pace = 0.3, fastest_pace = 1.6;   ///< m/s: anything between these,
   double new_pace_sigma = 0.15;          ///< of which a particle stands for so much.
   double change_seconds = 0.20;          ///< Of walking that a start or stop takes or gives.
