@@ -30,7 +30,7 @@ DEMO_MAP := maps/torgersen-lab
 DEMO_START := 1,1.83,1.52,90
 
 .PHONY: demo
-demo: core ## The main job: a walk through the lab, what the wearer hears, the error, a picture
+demo: core ## The main job: a walk through the lab, what the wearer hears, the error, a picture; then three levels in short
 	@mkdir -p $(DEMO)
 	@echo "A wearer walks through rooms 1, 2, 4, 2, 5 and 2 of the lab (simulated, furnished). They hear:"
 	@$(ECHOWAY) simulate --building $(DEMO_MAP) --walk $(DEMO_MAP)/walks/thesis.walk --out $(DEMO)/walk
@@ -45,6 +45,8 @@ demo: core ## The main job: a walk through the lab, what the wearer hears, the e
 	@$(PYTHON) scripts/plot_track.py --echoway $(ECHOWAY) --building $(DEMO_MAP) --truth $(DEMO)/walk.truth.csv \
 	    --track $(DEMO)/tracker.track.csv --out $(DEMO)/walk.png
 	@echo "Picture: $(DEMO)/walk.png"
+	@echo
+	@$(MAKE) --no-print-directory levels-summary
 
 .PHONY: test-core
 test-core: core ## The C++ tests

@@ -15,14 +15,17 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 FEET = 0.3048
+LOST = 3.0  # Feet: a walk whose mean error is larger has been lost for a while.
 SERIES = (("bayes", "1", "tracker, motion hints", "#0072b2", "o"), ("bayes", "0", "tracker, none", "#d55e00", "s"),
           ("thesis", "0", "thesis's method", "#009e73", "D"))
 
 
 def read(path):
     lines = Path(path).read_text(encoding="utf-8").splitlines()
-    floor = float(lines[0].split()[2])
-    return floor, list(csv.DictReader(lines[1:]))
+    words = lines[0].lstrip("# ").split()
+    head = dict(zip(words[::2], words[1::2]))
+    defaults = {"1": int(head["default_particles"]), "0": int(head["without_hints"])}
+    return float(head["one_scan_floor_m"]), defaults, list(csv.DictReader(lines[1:]))
 
 
 def processor():
@@ -55,7 +58,20 @@ def draw(floor, rows, out):
     figure.savefig(out, dpi=110)
 
 
-def page(floor, rows, plot, building):
+def about_budget(rows, hints, default):
+    """What the sweep says of the default number of particles."""
+    own = sorted((row for row in rows if row["method"] == "bayes" and row["hints"] == hints), key=lambda row: int(row["particles"]))
+    loses = [int(row["particles"]) for row in own if float(row["worst_walk_m"]) / FEET > LOST]
+    holding = [int(row["particles"]) for row in own if not loses or int(row["particles"]) > max(loses)]
+    text = f"{default} particles {'with motion hints' if hints == '1' else 'without'}"
+    measured = next(row for row in own if int(row["particles"]) == default)
+    text += f" (worst walk {float(measured['worst_walk_m']) / FEET:.1f} ft)"
+    if not holding:
+        return text + ", though the sweep's largest budget loses a walk too"
+    return text + f", where {holding[0]} and more lose none"
+
+
+def page(floor, defaults, rows, plot, building):
     best = min((row for row in rows if row["hints"] == "1"), key=lambda row: float(row["mean_m"]))
     lines = ["# Error against run time", "",
              f"Written by `make bench` on {processor()}, {os.cpu_count()} processors. The same simulated, furnished walks in "
@@ -69,8 +85,9 @@ def page(floor, rows, plot, building):
                      f"{float(row['mean_m']) / FEET:.2f} | {float(row['worst_walk_m']) / FEET:.2f} | "
                      f"{100 * float(row['right_room']):.1f} % | {float(row['heading_deg']):.1f} deg | "
                      f"{float(row['cpu_us_a_firing']):.0f} | {ratio:.2f} |")
-    lines += ["", "The default is 240 particles with motion hints and 800 without: twice the smallest budgets that usually lose no "
-              "walk of this sweep, because one lost walk costs a wearer more than the time saved.",
+    lines += ["", f"The default is {about_budget(rows, '1', defaults['1'])}; and {about_budget(rows, '0', defaults['0'])}. A walk is "
+              f"lost when its mean error passes {LOST:.0f} ft. More is spent than most walks need, because one lost walk costs a "
+              "wearer more than the time saved.",
               "", f"The Cramer-Rao floor of a single scan (15 firings, empty rooms, 1 % noise, heading known) is "
               f"{floor / FEET:.2f} ft at the median of these walks' poses. A tracker joins many scans and may pass below it; "
               "unmapped furniture, which the floor does not know, pushes it up.", "",
@@ -87,10 +104,10 @@ def main():
     parser.add_argument("--plot", required=True, type=Path)
     parser.add_argument("--page", required=True, type=Path)
     arguments = parser.parse_args()
-    floor, rows = read(arguments.csv)
+    floor, defaults, rows = read(arguments.csv)
     draw(floor, rows, arguments.plot)
     plot = os.path.relpath(arguments.plot, arguments.page.parent)
-    arguments.page.write_text(page(floor, rows, plot, arguments.building), encoding="utf-8")
+    arguments.page.write_text(page(floor, defaults, rows, plot, arguments.building), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -46,8 +46,8 @@ struct Outcome {
 
 std::vector<Contestant> contestants() {
   std::vector<Contestant> all;
-  for (const int particles : {10, 20, 40, 80, 120, 240, 480}) all.push_back({"bayes", true, particles});
-  for (const int particles : {50, 100, 200, 400, 800}) all.push_back({"bayes", false, particles});
+  for (const int particles : {10, 20, 40, 80, 150, 240, 480}) all.push_back({"bayes", true, particles});
+  for (const int particles : {50, 100, 200, 400, 800, 1600}) all.push_back({"bayes", false, particles});
   all.push_back({"thesis", false, 0});
   return all;
 }
@@ -144,7 +144,9 @@ int bench(const BenchOptions& options) {
   if (!walks) return bad_input(walks.error());
 
   const double floor = median_floor(*building, *walks);
-  std::string csv = fmt::format("# one_scan_floor_m {:.4f}\n", floor) +
+  const BayesOptions defaults;
+  std::string csv = fmt::format("# one_scan_floor_m {:.4f} default_particles {} without_hints {}\n", floor,
+                                defaults.particles, defaults.particles_without_gyroscope) +
                     "method,hints,particles,mean_m,worst_walk_m,right_room,heading_deg,cpu_us_a_firing\n";
   fmt::print("{} walks of about {:.0f} s; Cramer-Rao floor of one scan {:.3f} m (median)\n", options.walks,
              options.seconds, floor);

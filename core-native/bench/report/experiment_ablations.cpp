@@ -1,4 +1,4 @@
-// What each part of the tracker buys, as far as it can be had or withheld from outside.
+// What each part of the tracker buys: its own parts, what it is told, and what the plan says.
 #include <functional>
 
 #include "experiment.hpp"
@@ -33,10 +33,35 @@ Variant budget(int particles, Estimator estimator) {
   return {group, std::to_string(particles), std::move(estimator)};
 }
 
+struct Part {
+  const char* name;
+  bool TrackerParts::* flag;
+};
+
+constexpr Part kParts[] = {
+    {"missing echoes are evidence", &TrackerParts::silence},
+    {"near walls may answer askew", &TrackerParts::rough_walls},
+    {"corners are heard by way of walls", &TrackerParts::mirrored_corners},
+    {"repeated echoes are one surprise", &TrackerParts::repeats},
+    {"unmapped furniture is remembered", &TrackerParts::memory},
+    {"a resting sensor's evidence counts once", &TrackerParts::novelty},
+    {"the speed of sound is estimated", &TrackerParts::sound_speed},
+    {"other places are searched when echoes fit badly", &TrackerParts::recovery},
+    {"what was found must prove itself", &TrackerParts::probation},
+};
+
+/// The tracker whole, then without each of its parts.
+void withhold_parts(const std::string& group, const Estimator& whole, std::vector<Variant>& all) {
+  all.push_back({group, "whole", whole});
+  for (const Part& part : kParts) {
+    all.push_back({group, part.name, with([&](Estimator& e) { e.bayes.parts.*part.flag = false; }, whole)});
+  }
+}
+
 std::vector<Variant> variants() {
   const auto no_gyro = [](Estimator& e) { e.turns = false; };
   const auto no_steps = [](Estimator& e) { e.steps = false; };
-  const auto no_silences = [](Estimator& e) { e.silences = false; };
+  const auto nothing_known = [](Estimator& e) { e.told = Estimator::Told::nothing; };
   std::vector<Variant> all{
       {"motion hints", "steps and gyroscope", tracker()},
       {"motion hints", "gyroscope only", with(no_steps)},
@@ -44,11 +69,7 @@ std::vector<Variant> variants() {
       {"motion hints", "none", tracker_without_hints()},
       {"start", "known pose", tracker()},
       {"start", "known room", with([](Estimator& e) { e.told = Estimator::Told::room; })},
-      {"start", "nothing known", with([](Estimator& e) { e.told = Estimator::Told::nothing; })},
-      {"missing echoes", "are evidence", tracker()},
-      {"missing echoes", "left out", with(no_silences)},
-      {"missing echoes", "are evidence (no hints)", tracker_without_hints()},
-      {"missing echoes", "left out (no hints)", with(no_silences, tracker_without_hints())},
+      {"start", "nothing known", with(nothing_known)},
       {"plan", "whole", tracker()},
       {"plan", "no corners and edges", tracker(), without_corners_and_edges},
       {"plan", "no all-reflective lines", tracker(), without_reflectors},
@@ -57,6 +78,11 @@ std::vector<Variant> variants() {
       {"plan", "no all-reflective lines (no hints)", tracker_without_hints(), without_reflectors},
       {"air at 32 degrees", "thermometer", with([](Estimator& e) { e.thermometer = true; }), {}, true},
       {"air at 32 degrees", "none: the scale is estimated", tracker(), {}, true},
+      {"air at 32 degrees",
+       "none: the scale is taken as known",
+       with([](Estimator& e) { e.bayes.parts.sound_speed = false; }),
+       {},
+       true},
       {"air at 32 degrees",
        "thesis with thermometer",
        with([](Estimator& e) { e.thermometer = true; }, thesis_method()),
@@ -67,7 +93,10 @@ std::vector<Variant> variants() {
       {"method", "thesis", thesis_method()},
       {"method", "thesis as printed", thesis_as_printed()},
   };
-  for (const int particles : {30, 60, 120, 240, 480}) all.push_back(budget(particles, tracker()));
+  withhold_parts("parts with steps and gyroscope", tracker(), all);
+  withhold_parts("parts with echoes alone", tracker_without_hints(), all);
+  withhold_parts("parts from an unknown start", with(nothing_known), all);
+  for (const int particles : {30, 75, 150, 300, 600}) all.push_back(budget(particles, tracker()));
   for (const int particles : {100, 200, 400, 800, 1600}) all.push_back(budget(particles, tracker_without_hints()));
   return all;
 }

@@ -123,13 +123,11 @@ Track follow(const Trial& trial, const Estimator& estimator, std::span<const Fir
       const MotionHint& hint = trial.walk.motion[next];
       if (hint.kind == MotionKind::step ? estimator.steps : estimator.turns) locator->on_motion(hint);
     }
-    const bool told = estimator.silences || firing.has_echo();
-    const bool renewed = told && locator->on_firing(firing);
+    const bool renewed = locator->on_firing(firing);
     cpu_s += thread_seconds() - begin;
     const Estimate& estimate = locator->estimate();
-    if (estimator.thesis ? renewed : told) {
-      track.fixes.push_back(compare(trial, estimate, estimator.thesis ? estimate.time_s : firing.time_s));
-    }
+    if (estimator.thesis && !renewed) continue;
+    track.fixes.push_back(compare(trial, estimate, estimator.thesis ? estimate.time_s : firing.time_s));
   }
   track.cpu_us = 1e6 * cpu_s / static_cast<double>(firings.size());
   return track;

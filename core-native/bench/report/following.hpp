@@ -20,7 +20,6 @@ struct Estimator {
   bool turns = true;  ///< The gyroscope's yaw rates and absolute headings.
   enum class Told { pose, room, nothing } told = Told::pose;
   bool thermometer = false;  ///< Told the air's temperature at the start.
-  bool silences = true;      ///< Told of firings that nothing answered.
   BayesOptions bayes{};
   ThesisParameters parameters{};
 };
