@@ -57,7 +57,7 @@ right room and within a metre, for three seconds; the time is when that began. F
 "Perhaps a more profound limitation is the system's inability to recover from a wrong match" (chapter 7). The thesis's method
 looks only around its last match, so it finds the wearer again by luck alone. The tracker searches the building when the fit
 fails; within 40 s it has found {100 * within("tracker", 40):.0f} % with steps and gyroscope and {100 * within("tracker without hints", 40):.0f} %
-by echoes alone. A gyroscope that missed the turn while the wearer was carried misleads until the search succeeds.
+by echoes alone, of all buildings together.
 """
     return text, [("It cannot recover from a wrong match", "chapter 7",
                    f"found again: {100 * np.mean(every['thesis'] >= 0):.0f} % with the thesis's method, {100 * np.mean(every['tracker'] >= 0):.0f} % with the tracker",
