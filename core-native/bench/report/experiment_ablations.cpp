@@ -39,15 +39,15 @@ struct Part {
 };
 
 constexpr Part kParts[] = {
-    {"missing echoes are evidence", &TrackerParts::silence},
-    {"near walls may answer askew", &TrackerParts::rough_walls},
-    {"corners are heard by way of walls", &TrackerParts::mirrored_corners},
-    {"repeated echoes are one surprise", &TrackerParts::repeats},
-    {"unmapped furniture is remembered", &TrackerParts::memory},
-    {"a resting sensor's evidence counts once", &TrackerParts::novelty},
-    {"the speed of sound is estimated", &TrackerParts::sound_speed},
-    {"other places are searched when echoes fit badly", &TrackerParts::recovery},
-    {"what was found must prove itself", &TrackerParts::probation},
+    {"evidence from missing echoes", &TrackerParts::silence},
+    {"askew answers of near walls", &TrackerParts::rough_walls},
+    {"corners heard by way of walls", &TrackerParts::mirrored_corners},
+    {"repeated echoes as one surprise", &TrackerParts::repeats},
+    {"memory of unmapped furniture", &TrackerParts::memory},
+    {"a resting sensor counted once", &TrackerParts::novelty},
+    {"estimated speed of sound", &TrackerParts::sound_speed},
+    {"search when echoes fit badly", &TrackerParts::recovery},
+    {"proof of what was found", &TrackerParts::probation},
 };
 
 /// The tracker whole, then without each of its parts.
