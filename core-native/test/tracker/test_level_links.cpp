@@ -1,0 +1,72 @@
+#include "tracker/level_links.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace echoway::tracker {
+namespace {
+
+constexpr double kSlot = 0.0624;
+
+// Three rooms above each other; at one place in the middle one stairs lead up and down.
+Building tower() {
+  Building b;
+  for (int level = 0; level < 3; ++level) {
+    Room room;
+    room.id = std::to_string(level);
+    room.level = level;
+    b.rooms.push_back(room);
+  }
+  b.links.push_back({LevelLinkKind::stairs, 0, {1.0, 1.0}, 1, {2.0, 2.0}});
+  b.links.push_back({LevelLinkKind::stairs, 1, {2.0, 2.0}, 2, {3.0, 3.0}});
+  return b;
+}
+
+// Rooms in which particles that start in room 1 at `at` are found after so many seconds; the last counts those on the way.
+std::array<int, 4> after(double seconds, Vec2 at, const LevelTransition* told) {
+  const Building building = tower();
+  LevelLinks links(building);
+  if (told != nullptr) links.expect(*told);
+  Random random(5);
+  std::array<int, 4> found{};
+  for (int i = 0; i < 400; ++i) {
+    Particle p;
+    p.room = 1;
+    p.position = at;
+    p.gait = Gait::walking;
+    for (double t = 0.0; t < seconds; t += kSlot) links.step(p, t, kSlot, true, random);
+    ++found[p.gait == Gait::away ? 3 : static_cast<std::size_t>(p.room)];
+  }
+  return found;
+}
+
+TEST(LevelLinks, AreNoneInABuildingOfOneLevel) {
+  Building b = tower();
+  b.links.clear();
+  EXPECT_TRUE(LevelLinks(b).none());
+}
+
+TEST(LevelLinks, LeaveThoseAloneWhoAreNotNear) { EXPECT_EQ(after(60.0, {6.0, 6.0}, nullptr)[1], 400); }
+
+TEST(LevelLinks, LeadBothWaysForWhoeverWasToldNothing) {
+  const auto found = after(40.0, {2.2, 2.0}, nullptr);
+  EXPECT_GT(found[0], 30);
+  EXPECT_GT(found[2], 30);
+}
+
+TEST(LevelLinks, TakeMostWhereTheyWereTold) {
+  const LevelTransition up{1, 1, 2, 0.0, 45.0};
+  const auto found = after(40.0, {2.2, 2.0}, &up);
+  EXPECT_GT(found[2], 4 * found[0]);
+}
+
+TEST(LevelLinks, NobodyIsThereAtOnce) {
+  const LevelTransition up{1, 1, 2, 0.0, 45.0};
+  const auto found = after(4.0, {2.2, 2.0}, &up);
+  EXPECT_EQ(found[0] + found[2], 0);
+  EXPECT_GT(found[3], 300);
+}
+
+}  // namespace
+}  // namespace echoway::tracker
