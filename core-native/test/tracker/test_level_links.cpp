@@ -51,8 +51,8 @@ TEST(LevelLinks, LeaveThoseAloneWhoAreNotNear) { EXPECT_EQ(after(60.0, {6.0, 6.0
 
 TEST(LevelLinks, LeadBothWaysForWhoeverWasToldNothing) {
   const auto found = after(40.0, {2.2, 2.0}, nullptr);
-  EXPECT_GT(found[0], 30);
-  EXPECT_GT(found[2], 30);
+  EXPECT_GT(found[0], 15);
+  EXPECT_GT(found[2], 15);
 }
 
 TEST(LevelLinks, TakeMostWhereTheyWereTold) {
