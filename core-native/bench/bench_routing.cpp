@@ -92,7 +92,8 @@ void reroute_in_a_room_of_500_walls(benchmark::State& state) {
   Random random(3);
   Route route;
   for (auto _ : state) {
-    const Spot from{0, random.uniform(0.0, 28.0) * unit_from_angle(random.uniform(-kPi, kPi))};
+    const Vec2 towards = unit_from_angle(random.uniform(-kPi, kPi));
+    const Spot from{0, random.uniform(0.0, 28.0) * towards};
     benchmark::DoNotOptimize(router.route_from(from, *tree, route));
   }
 }

@@ -72,7 +72,9 @@ Building random_office(int rooms_per_side, std::uint64_t seed) {
     }
     const auto index = static_cast<RoomIndex>(b.rooms.size());
     b.rooms.push_back(room);
-    join(b, index, {p.x + random.uniform(0.8, p.w - 0.8), p.up ? hall_width : 0.0}, 0, random.uniform(0.8, 1.1));
+    // GCC's order of arguments, spelt out: every compiler shall make the same building.
+    const double width = random.uniform(0.8, 1.1);
+    join(b, index, {p.x + random.uniform(0.8, p.w - 0.8), p.up ? hall_width : 0.0}, 0, width);
     if (previous != kNoRoom && p.x > 0.0 && random.uniform() < 0.2) {
       const double y = p.up ? hall_width + 1.4 : -1.4;
       join(b, previous, {p.x, y}, index, 0.9);

@@ -231,7 +231,8 @@ TEST(RangeModelSweep, GivesTheSameAnswersAsOneRayAtATime) {
     const RangeModel model(c.room, c.openings, c.belt, DetectionTable(c.belt));
     for (int trial = 0; trial < 150; ++trial) {
       const Vec2 axis{random.uniform(0.0, 6.0), random.uniform(0.0, 6.0)};
-      const Directions directions(random.uniform(-7.0, 7.0), 1 + static_cast<int>(random.uniform(0.0, 100.0)));
+      const int count = 1 + static_cast<int>(random.uniform(0.0, 100.0));
+      const Directions directions(random.uniform(-7.0, 7.0), count);
       std::vector<PredictedEcho> echoes(static_cast<std::size_t>(directions.count()));
       model.sweep(axis, directions, echoes);
       for (int k = 0; k < directions.count(); ++k) {

@@ -174,7 +174,8 @@ TEST(TraceFloor, AnyMessOfWallsIsSurvivedAndItsFloorHasTheAreaItClaims) {
     for (std::uint64_t i = 0; i < count; ++i) {
       // On a coarse grid, so that walls meet, cross, overlap and coincide all the time.
       const auto coordinate = [&] {
-        return static_cast<double>(random.next() % 6) + 0.04 * static_cast<double>(random.next() % 2);
+        const auto coarse = static_cast<double>(random.next() % 6);
+        return coarse + 0.04 * static_cast<double>(random.next() % 2);
       };
       const Segment wall{{coordinate(), coordinate()}, {coordinate(), coordinate()}};
       if (wall.length() > kSamePoint) walls.push_back(wall);
@@ -205,7 +206,8 @@ TEST(TraceFloor, ThousandsOfScreensAreNoProblem) {
   std::vector<Segment> walls = outline({{0, 0}, {1000, 0}, {1000, 1000}, {0, 1000}});
   for (int i = 0; i < 4900; ++i) {
     const Vec2 at{random.uniform(1, 999), random.uniform(1, 999)};
-    walls.push_back({at, at + random.uniform(0.1, 0.9) * unit_from_angle(random.uniform(0, kTwoPi))});
+    const Vec2 towards = unit_from_angle(random.uniform(0, kTwoPi));
+    walls.push_back({at, at + random.uniform(0.1, 0.9) * towards});
   }
   const FloorTrace floor = trace_floor(walls);
   ASSERT_TRUE(floor.closed);

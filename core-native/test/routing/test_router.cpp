@@ -91,7 +91,8 @@ TEST(Router, KeepsItsClearanceInRandomClutter) {
     b.rooms.push_back(make_box("1", 12, 9));
     for (int i = 0; i < 8; ++i) {
       const Vec2 p{random.uniform(1.5, 10), random.uniform(1.5, 7)};
-      const Vec2 q = p + random.uniform(0.4, 1.5) * unit_from_angle(random.uniform(-kPi, kPi));
+      const Vec2 towards = unit_from_angle(random.uniform(-kPi, kPi));
+      const Vec2 q = p + random.uniform(0.4, 1.5) * towards;
       b.rooms[0].reflectors.push_back({p, q});
     }
     const Router router(b);

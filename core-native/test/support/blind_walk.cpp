@@ -230,7 +230,8 @@ class Wearer {
 
   void start_turn(double wanted, std::size_t cue) {
     judge(cue, wanted, kWrongReach);
-    turn_left_ = wanted * (1.0 + random_.normal(0.0, 0.1)) + random_.normal(0.0, model_.turn_sigma * std::min(1.0, std::abs(wanted)));
+    turn_left_ = wanted * (1.0 + random_.normal(0.0, 0.1));
+    turn_left_ += random_.normal(0.0, model_.turn_sigma * std::min(1.0, std::abs(wanted)));
     slow_turn_ = 0.0;
     budget_ = std::max(budget_, 1.5);
   }

@@ -93,6 +93,14 @@ Box rectangle(Vec2 origin, Vec2 u, double width, double depth) {
   return {origin, origin + width * u, origin + width * u + depth * v, origin + depth * v};
 }
 
+// A place up to 3 m from a wall's. One draw a statement: the order within an expression is the compiler's choice.
+Vec2 draw_beside(const Segment& wall, double nearest, Random& random) {
+  const Vec2 towards = unit_from_angle(random.uniform(0.0, kTwoPi));
+  const double off = random.uniform(nearest, 3.0);
+  const double along = random.uniform();
+  return wall.a + along * wall.direction() + off * towards;
+}
+
 // Most furniture stands with its back to a wall; some stands free and askew.
 Box draw_box(const Room& room, Random& random) {
   const double width = random.uniform(0.4, 1.6);
@@ -112,9 +120,7 @@ Box draw_box(const Room& room, Random& random) {
     return rectangle(origin + off * perpendicular(u), u, width, depth);
   }
   const Vec2 u = unit_from_angle(random.uniform(0.0, kTwoPi));
-  const Vec2 at = wall.a + random.uniform() * wall.direction() +
-                  random.uniform(0.5, 3.0) * unit_from_angle(random.uniform(0.0, kTwoPi));
-  return rectangle(at, u, width, depth);
+  return rectangle(draw_beside(wall, 0.5, random), u, width, depth);
 }
 
 }  // namespace
@@ -141,8 +147,7 @@ void add_furniture(const Room& room, const std::vector<Doorway>& doorways, const
     for (int attempt = 0; attempt < kTries; ++attempt) {
       const Segment& wall =
           room.walls[static_cast<std::size_t>(random.uniform() * static_cast<double>(room.walls.size()))];
-      const Vec2 at = wall.a + random.uniform() * wall.direction() +
-                      random.uniform(0.1, 3.0) * unit_from_angle(random.uniform(0.0, kTwoPi));
+      const Vec2 at = draw_beside(wall, 0.1, random);
       if (!placer.free(at)) continue;
       scene.scatterers.push_back({at, random.uniform(0.01, 0.05), 1.0});
       scene.things.push_back({at, at});
