@@ -63,8 +63,14 @@ Building any_building(Reader& in) {
 Cue any_cue(Reader& in) {
   Cue cue;
   cue.kind = static_cast<CueKind>(in.byte());
-  cue.direction = in.number();
-  cue.landmark.index = in.integer();
+  cue.urgency = static_cast<Urgency>(in.byte());
+  for (double* field : {&cue.time_s, &cue.direction, &cue.distance_m, &cue.sigma_m, &cue.time_to_live_s, &cue.tail.direction,
+                        &cue.tail.distance_m}) {
+    *field = in.number();
+  }
+  for (std::int32_t* field : {&cue.count, &cue.room, &cue.landmark.index}) *field = in.integer();
+  cue.landmark.kind = static_cast<CueLandmark::Kind>(in.byte());
+  cue.tail.kind = static_cast<CueKind>(in.byte());
   cue.tail.present = in.byte() % 2 != 0;
   return cue;
 }
@@ -78,10 +84,17 @@ Route any_route(Reader& in) {
 
 /// A cue is cut to the buffer, never dropped.
 std::string check_cue(const Cue& cue, const std::string& words, std::size_t size) {
-  std::vector<std::byte> memory(size, kGuard);
-  const std::size_t written = jni::write_cue(cue, words, memory);
-  if (size >= jni::kCueFixedBytes && written > size) return "a cue that could be cut did not fit";
-  return "";
+  std::vector<std::byte> memory(size + kGuardBytes, kGuard);
+  const std::size_t written = jni::write_cue(cue, words, std::span(memory).first(size));
+  if (!std::all_of(memory.begin() + static_cast<std::ptrdiff_t>(size), memory.end(), [](std::byte b) { return b == kGuard; })) {
+    return "a cue was written behind its buffer";
+  }
+  if (size < jni::kCueFixedBytes) return "";
+  if (written > size) return "a cue that could be cut did not fit";
+  // The words must not end within a character that they hold whole.
+  const std::size_t kept = written - jni::kCueFixedBytes;
+  const bool within = kept < words.size() && (static_cast<unsigned char>(words[kept]) & 0xC0) == 0x80;
+  return within ? "a cue was cut within a character" : "";
 }
 
 /// Writes into a buffer of `size` bytes between guards. `write` must say what it needs whatever the size, touch nothing

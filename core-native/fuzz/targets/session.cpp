@@ -1,5 +1,7 @@
 #include <array>
 #include <cmath>
+#include <string>
+#include <variant>
 
 #include "echoway/belt/sentence.hpp"
 #include "echoway/session.hpp"
@@ -61,10 +63,40 @@ void send(Session& session, const Sentence& sentence, double arrival) {
   session.on_bytes({reinterpret_cast<const std::uint8_t*>(encoded.text().data()), encoded.text().size()}, arrival);
 }
 
+Goal any_goal(Reader& in) {
+  Goal goal;
+  goal.kind = static_cast<Goal::Kind>(in.byte() % 5);
+  goal.index = static_cast<std::int32_t>(in.byte() % 8) - 2;
+  goal.spot = {static_cast<RoomIndex>(in.byte() % 8) - 2, {in.number(), in.number()}};
+  return goal;
+}
+
+std::string any_name(Reader& in) {
+  const auto bytes = in.bytes(in.byte() % 16);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// What the wearer wants. Each may be refused, with words.
+Status ask(Session& session, Reader& in) {
+  const std::uint8_t what = in.byte();
+  const RoutePreferences preferences{.avoid_stairs = (what & 128) != 0};
+  switch (what % 8) {
+    case 0: return session.set_destination(any_name(in), preferences);
+    case 1: return session.set_destination("way out", preferences);
+    case 2: return session.set_destination(any_goal(in), preferences);
+    case 3: return session.way_out(preferences);
+    case 4: return session.back_track();
+    case 5: session.clear_destination(); break;
+    case 6: session.where_am_i(); break;
+    default: static_cast<void>(session.repeat());
+  }
+  return std::monostate{};
+}
+
 void call(Session& session, Reader& in, Clock& clock) {
   const std::uint8_t what = in.byte();
   const double time = clock.next(in);
-  switch (what % 12) {
+  switch (what % 14) {
     case 0:
     case 1:
     case 2: session.on_firing({time, in.byte() % 16, static_cast<double>(in.byte()) / 24.0}); break;
@@ -76,8 +108,18 @@ void call(Session& session, Reader& in, Clock& clock) {
     case 8: send(session, StatusSentence{in.byte() % kMaxSensors + 1, {}, in.word() % 1000, in.word()}, time); break;
     case 9: session.on_tick(time); break;
     case 10: (in.byte() % 2 == 0) ? session.on_belt_attached(time) : session.on_belt_detached(time); break;
-    default: static_cast<void>(session.restart(any_start(in)));
+    case 11: static_cast<void>(session.restart(any_start(in))); break;
+    default: static_cast<void>(ask(session, in));
   }
+}
+
+/// Two closets with everything that guidance can lead to or along.
+Building guided_closets() {
+  Building building = plans::two_closets();
+  building.exits = {{0, {0.0, 1.0}, "way out"}};
+  building.places = {{1, {1.5, 1.0}, "shelf"}};
+  building.links = {{LevelLinkKind::stairs, 0, {0.6, 2.0}, 1, {2.0, 0.6}}};
+  return building;
 }
 
 }  // namespace
@@ -85,7 +127,7 @@ void call(Session& session, Reader& in, Clock& clock) {
 std::string session(Bytes data) {
   Reader in(data);
   const SessionConfig config = any_config(in);
-  auto opened = Session::open(plans::two_closets(), config);
+  auto opened = Session::open(guided_closets(), config);
   if (!opened) return opened.error().message.empty() ? "an error without words" : "";
   Session& running = **opened;
   if (std::string broken = broken_promise(running); !broken.empty()) return broken + " (at the start)";
@@ -93,6 +135,7 @@ std::string session(Bytes data) {
   for (int i = 0; i < kMostCalls && !in.empty(); ++i) {
     call(running, in, clock);
     if (std::string broken = broken_promise(running); !broken.empty()) return broken;
+    if (std::string broken = plans::broken_guidance(running); !broken.empty()) return broken;
   }
   return "";
 }

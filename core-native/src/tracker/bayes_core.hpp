@@ -39,6 +39,7 @@ class BayesLocator::Core {
  private:
   // Starting.
   void begin();
+  [[nodiscard]] bool can_stand(RoomIndex room, Vec2 position) const;
   void place_known(const Pose2& pose, RoomIndex room, bool heading_known);
   void describe_ignorance();
 

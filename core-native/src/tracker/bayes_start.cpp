@@ -18,6 +18,7 @@ constexpr std::size_t kAllRound = 1800;           // and of one whose heading is
 constexpr std::size_t kCapacity = 2400;
 constexpr std::size_t kRivalCapacity = 600;
 constexpr double kUsuallyMapped = 0.7;
+constexpr double kLeastClearance = 0.12;          // Nobody's axis comes nearer to a wall, metres.
 
 EchoModelParameters echo_parameters(const TrackerParts& parts) {
   EchoModelParameters p;
@@ -60,11 +61,16 @@ BayesLocator::Core::Core(const Building& building, const BeltConfig& belt, const
 
 void BayesLocator::Core::begin() {
   if (start_.room && (*start_.room < 0 || *start_.room >= static_cast<RoomIndex>(building_.rooms.size()))) start_ = {};
-  if (start_.room && start_.position && is_finite(*start_.position)) {
+  if (start_.room && start_.position && can_stand(*start_.room, *start_.position)) {
     const bool heading_known = start_.heading && std::isfinite(*start_.heading);
     place_known({*start_.position, heading_known ? wrap_angle(*start_.heading) : 0.0}, *start_.room, heading_known);
   }
   describe_ignorance();
+}
+
+bool BayesLocator::Core::can_stand(RoomIndex room, Vec2 position) const {
+  const auto& floor = scene_.room(room).floor;
+  return is_finite(position) && floor.contains(position) && floor.distance(position) > kLeastClearance;
 }
 
 void BayesLocator::Core::place_known(const Pose2& pose, RoomIndex room, bool heading_known) {
@@ -127,6 +133,11 @@ void BayesLocator::Core::start_first_search() {
   hearing_test_ = HearingTest::due;
   SearchDomain domain;
   if (start_.room) domain.only_room = *start_.room;
+  // A start in a wall or outside its room is wrong, but most often not by much.
+  if (start_.room && start_.position && is_finite(*start_.position)) {
+    domain.near_room = *start_.room;
+    domain.near_position = *start_.position;
+  }
   if (start_.room && start_.heading) {
     domain.heading = *start_.heading;
   } else {

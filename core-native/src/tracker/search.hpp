@@ -98,6 +98,7 @@ class Search {
   [[nodiscard]] Record from_begin(const History& history, std::uint64_t number) const noexcept;
   [[nodiscard]] std::size_t try_candidate(const Tools& tools, Vec2 position, double heading) noexcept;
   void keep(const Survivor& survivor) noexcept;
+  void in_order_of_place() noexcept;
   void draw_from_survivors(const Tools& tools, Random& random) noexcept;
   bool refine(const Tools& tools, std::size_t budget) noexcept;
   [[nodiscard]] double heading_cell() const noexcept {

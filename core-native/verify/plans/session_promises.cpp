@@ -2,8 +2,12 @@
 
 #include <cmath>
 
+#include "echoway/speech/speaker.hpp"
+
 namespace echoway::plans {
 namespace {
+
+constexpr int kMostCues = 64;  // Waiting at once.
 
 bool usable(const Pose2& pose) { return is_finite(pose) && pose.heading > -4.0 && pose.heading < 4.0; }
 
@@ -33,7 +37,46 @@ std::string check(const BeltHealth& health) {
   return "";
 }
 
+bool usable(const Spot& spot, const Building& building) {
+  return is_finite(spot.at) && spot.room >= kNoRoom && spot.room < static_cast<RoomIndex>(building.rooms.size());
+}
+
+std::string check(const Cue& cue) {
+  for (const double value : {cue.time_s, cue.direction, cue.distance_m, cue.sigma_m, cue.time_to_live_s, cue.tail.direction,
+                             cue.tail.distance_m}) {
+    if (!std::isfinite(value)) return "a cue has something that is not finite";
+  }
+  if (!(std::fabs(cue.direction) <= kPi) || !(std::fabs(cue.tail.direction) <= kPi)) return "a cue points nowhere";
+  return cue.sigma_m < 0.0 || cue.count < 0 ? "a cue counts backwards" : "";
+}
+
+std::string check(const Route& route, const Building& building) {
+  if (!std::isfinite(route.length_m) || route.length_m < 0.0 || !std::isfinite(route.clearance_m)) return "a route of no length";
+  for (const Waypoint& point : route.waypoints) {
+    if (!usable({point.room, point.at}, building) || !is_finite(point.next_at)) return "a waypoint is nowhere";
+  }
+  return "";
+}
+
 }  // namespace
+
+std::string broken_guidance(Session& session) {
+  Cue cue;
+  for (int cues = 0; session.next_cue(cue); ++cues) {
+    if (std::string broken = check(cue); !broken.empty()) return broken;
+    if (Speaker(session.building()).say(cue).empty()) return "a cue without words";
+    if (cues > kMostCues) return "cues without end";
+  }
+  if (std::string broken = check(session.route(), session.building()); !broken.empty()) return broken;
+  if (!std::isfinite(session.obstacle_ahead_m())) return "an obstacle at no distance";
+  for (const Spot& crumb : session.breadcrumbs()) {
+    if (!usable(crumb, session.building())) return "a breadcrumb is nowhere";
+  }
+  for (const ExplainedEcho& echo : session.explain_scan()) {
+    if (!usable({echo.room, echo.at}, session.building()) || !std::isfinite(echo.expected_m)) return "an echo from nowhere";
+  }
+  return "";
+}
 
 std::string broken_promise(const Session& session) {
   if (std::string broken = check(session.estimate(), session.building()); !broken.empty()) return broken;
