@@ -137,7 +137,7 @@ std::string session(Bytes data) {
     if (std::string broken = broken_promise(running); !broken.empty()) return broken;
     if (std::string broken = plans::broken_guidance(running); !broken.empty()) return broken;
   }
-  return "";
+  return plans::broken_explanation(running);
 }
 
 }  // namespace echoway::fuzz

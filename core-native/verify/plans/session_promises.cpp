@@ -51,7 +51,9 @@ std::string check(const Cue& cue) {
 }
 
 std::string check(const Route& route, const Building& building) {
-  if (!std::isfinite(route.length_m) || route.length_m < 0.0 || !std::isfinite(route.clearance_m)) return "a route of no length";
+  if (!std::isfinite(route.length_m) || route.length_m < 0.0) return "a route of no length";
+  // Nothing stands beside a route of no waypoints.
+  if (std::isnan(route.clearance_m) || (!route.waypoints.empty() && std::isinf(route.clearance_m))) return "a route beside nothing";
   for (const Waypoint& point : route.waypoints) {
     if (!usable({point.room, point.at}, building) || !is_finite(point.next_at)) return "a waypoint is nowhere";
   }
@@ -72,6 +74,10 @@ std::string broken_guidance(Session& session) {
   for (const Spot& crumb : session.breadcrumbs()) {
     if (!usable(crumb, session.building())) return "a breadcrumb is nowhere";
   }
+  return "";
+}
+
+std::string broken_explanation(Session& session) {
   for (const ExplainedEcho& echo : session.explain_scan()) {
     if (!usable({echo.room, echo.at}, session.building()) || !std::isfinite(echo.expected_m)) return "an echo from nowhere";
   }

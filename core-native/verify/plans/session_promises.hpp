@@ -8,7 +8,9 @@ namespace echoway::plans {
 
 /// Which promise of a session's output is broken: something not finite, out of range or contradictory. Empty when none is.
 [[nodiscard]] std::string broken_promise(const Session& session);
-/// The same for cues (all that wait are taken), the route, breadcrumbs, obstacles and the explained scan.
+/// The same for cues (all that wait are taken), the route, breadcrumbs and obstacles.
 [[nodiscard]] std::string broken_guidance(Session& session);
+/// The same for the explained scan.
+[[nodiscard]] std::string broken_explanation(Session& session);
 
 }  // namespace echoway::plans
