@@ -14,6 +14,6 @@ cluttered=(maps/similar-rooms maps/torgersen-lab maps/two-rooms office)
 # Westport House is left out below: its many walls make the simulated echoes slow.
 small=(maps/sample-room maps/similar-rooms maps/torgersen-lab maps/two-rooms office)
 "$binary" "$rows" "$traces" 40 empty "${small[@]}"
-"$binary" "$rows" "$traces" 40 furnished "${small[@]}"
+"$binary" "$rows" "$traces" 40 furnished "${small[@]}" levels
 "$binary" "$rows" "$traces" 40 cluttered "${cluttered[@]}"
 "$binary" "$rows" "$traces" 40 search maps/torgersen-lab

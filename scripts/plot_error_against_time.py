@@ -13,6 +13,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: E402
 
 FEET = 0.3048
 LOST = 3.0  # Feet: a walk whose mean error is larger has been lost for a while.
@@ -50,10 +51,14 @@ def draw(floor, rows, out):
     axes.axhline(floor / FEET, color="#666666", linestyle="--", linewidth=1, label="Cramer-Rao floor of one scan")
     axes.set_xscale("log")
     axes.set_yscale("log")
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(LogLocator(subs=(1, 2, 3, 5, 7)))
+        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axis.set_minor_formatter(NullFormatter())
     axes.set_xlabel("processor time a firing, microseconds")
     axes.set_ylabel("position error, ft: mean of all walks (line up: worst walk)")
     axes.grid(True, which="both", alpha=0.25)
-    axes.legend()
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=2)
     figure.tight_layout()
     figure.savefig(out, dpi=110)
 
