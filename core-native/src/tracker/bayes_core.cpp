@@ -15,11 +15,9 @@ namespace {
 constexpr std::size_t kParticlesPerCell = 14;     // While several places are possible.
 constexpr std::size_t kSettledCells = 10;         // A belief this narrow takes the tracking number of particles.
 constexpr double kStairwellShare = 0.80;          // Or neither: it is not known what answers there.
-constexpr double kPerhapsAway = 0.2;
 constexpr std::size_t kAwayParticles = 800;       // Few of them arrive at the right moment and facing the right way.
 constexpr double kLongestInterval = 3.0;          // Seconds that are still walked through; longer ones are a break.
 constexpr double kTemperatureSigma = 0.006;       // ln of speed: 3.5 K, a thermometer against the body.
-constexpr double kLeastScaleSigma = 0.004;
 constexpr double kPlanExplains = 0.52;
 constexpr double kShareGain = 1.0 / 24.0;
 constexpr double kSurelyUnmapped = 0.6;

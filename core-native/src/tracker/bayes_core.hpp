@@ -37,6 +37,10 @@ class BayesLocator::Core {
   [[nodiscard]] std::span<const SensorSuspicion> suspicions() const noexcept { return health_.suspicions(); }
 
  private:
+  static constexpr double kUsuallyMapped = 0.7;      ///< mapped_share_ of a belief that is new.
+  static constexpr double kLeastScaleSigma = 0.004;  ///< The speed of sound is never known better.
+  static constexpr double kPerhapsAway = 0.2;        ///< away_ from which on nobody is looked for in the rooms.
+
   // Starting.
   void begin();
   [[nodiscard]] bool can_stand(RoomIndex room, Vec2 position) const;

@@ -12,8 +12,7 @@ namespace {
 constexpr std::uint64_t kRecoveryWindow = 40;        // Firings that a recovery search looks back on.
 constexpr std::uint64_t kBlindRecoveryWindow = 20;   // The same without a gyroscope: a wearer hardly turns meanwhile.
 constexpr std::uint64_t kSearchPause = 48;           // Firings between searches.
-constexpr double kPerhapsAway = 0.2;                 // Nobody is looked for in the rooms who may be on the stairs;
-constexpr double kSurelyAway = 0.5;                  // who surely is, is looked for where the stairs lead.
+constexpr double kSurelyAway = 0.5;                  // Who is on the stairs is looked for where they lead.
 
 // In widening circles: a tracker that lost its hold is most often not far off.
 constexpr int kCircles = 3;                          // Round about, nearby, everywhere.
@@ -35,8 +34,6 @@ constexpr double kLogFoundFar = -1.0;
 
 constexpr double kLogHardOfHearing = -3.0;           // That a belt hears nothing from afar.
 constexpr int kFarEchoes = 2;                        // One may be a ghost.
-constexpr double kUsuallyMapped = 0.7;
-constexpr double kLeastScaleSigma = 0.004;
 
 }  // namespace
 

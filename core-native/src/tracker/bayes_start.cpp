@@ -17,7 +17,6 @@ constexpr std::size_t kFacing = 400;              // Particles of a start whose 
 constexpr std::size_t kAllRound = 1800;           // and of one whose heading is not.
 constexpr std::size_t kCapacity = 2400;
 constexpr std::size_t kRivalCapacity = 600;
-constexpr double kUsuallyMapped = 0.7;
 constexpr double kLeastClearance = 0.12;          // Nobody's axis comes nearer to a wall, metres.
 
 EchoModelParameters echo_parameters(const TrackerParts& parts) {

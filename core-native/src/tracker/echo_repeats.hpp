@@ -28,7 +28,6 @@ class EchoRepeats {
   /// Echoes that may be repeated by one of `range` metres from a sensor at `radius` and `bearing` (radians from the chest).
   [[nodiscard]] std::span<const Repeat> match(const BeltConfig& belt, int sensor, double range, double time_s) noexcept;
   void note(const BeltConfig& belt, int sensor, double range, double time_s) noexcept;
-  void clear() noexcept { last_.fill({}); }
 
  private:
   struct Last {

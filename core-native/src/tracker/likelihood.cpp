@@ -140,13 +140,6 @@ Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene:
   return {shot.trust * density + anything, shot.trust * plan + anything, mean_gain};
 }
 
-void observe_speed(Particle& p, double speed, double variance) noexcept {
-  const Direction d{p.cov.xs, p.cov.ys, p.cov.ss, p.cov.sk};
-  const double s = p.cov.ss + variance;
-  move(p, d, (speed - p.speed) / s);
-  add_outer(p.cov, d, -1.0 / s);
-}
-
 void observe_log_scale(Particle& p, double log_scale, double variance) noexcept {
   const Direction d{p.cov.xk, p.cov.yk, p.cov.sk, p.cov.kk};
   const double s = p.cov.kk + variance;

@@ -60,9 +60,7 @@ struct Outcome {
 };
 [[nodiscard]] Outcome assimilate(Particle& particle, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept;
 
-/// Kalman update of speed alone with a reading of variance `variance`.
-void observe_speed(Particle& particle, double speed, double variance) noexcept;
-/// Likewise of the log sound-speed scale.
+/// Kalman update of the log sound-speed scale alone with a reading of variance `variance`.
 void observe_log_scale(Particle& particle, double log_scale, double variance) noexcept;
 
 }  // namespace echoway::tracker

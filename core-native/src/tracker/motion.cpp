@@ -5,7 +5,6 @@
 
 #include "echoway/geometry/pose2.hpp"
 #include "tracker/elementary.hpp"
-#include "tracker/likelihood.hpp"
 
 namespace echoway::tracker {
 namespace {
@@ -221,12 +220,6 @@ void advance_mean(Particle& p, const Interval& interval, const MotionParameters&
   p.heading = wrap_near(p.heading + turn);
   const SinCos end = fast_sincos(p.heading);
   p.facing = {end.cos, end.sin};
-}
-
-void settle_gait(Particle& p, const MotionParameters& m, Random& random) noexcept {
-  const double drawn = p.speed + std::sqrt(p.cov.ss) * cheap_normal(random);
-  p.gait = drawn > 0.2 ? Gait::walking : Gait::standing;
-  if (p.gait == Gait::standing) observe_speed(p, 0.0, m.standing_sigma * m.standing_sigma);
 }
 
 }  // namespace echoway::tracker

@@ -84,7 +84,4 @@ void advance(Particle& particle, const Interval& interval, const MotionParameter
 /// Moves the mean of a particle of unknown gait, without drawing noise: the search replays firings with it.
 void advance_mean(Particle& particle, const Interval& interval, const MotionParameters& parameters) noexcept;
 
-/// Gives a particle of unknown gait the gait that its speed suggests.
-void settle_gait(Particle& particle, const MotionParameters& parameters, Random& random) noexcept;
-
 }  // namespace echoway::tracker
