@@ -6,6 +6,8 @@
 #include <cstring>
 #include <span>
 
+#include "echoway/geometry/vec2.hpp"
+
 namespace echoway::fuzz {
 
 /// Takes values off the front of an input; zeros when it has run out.
@@ -25,6 +27,12 @@ class Reader {
     if (how < 32) return std::bit_cast<double>(take<std::uint64_t>());
     const double scale[] = {1e-3, 1e-2, 0.1, 1.0, 10.0, 1e3, 1e6, 1e12};
     return static_cast<double>(take<std::int16_t>()) / 256.0 * scale[how % 8];
+  }
+
+  /// Within 2.55 m by 2.55 m.
+  Vec2 spot() noexcept {
+    const double x = 0.01 * byte();
+    return {x, 0.01 * byte()};
   }
 
   std::span<const std::uint8_t> bytes(std::size_t count) noexcept {

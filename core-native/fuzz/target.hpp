@@ -23,6 +23,7 @@ std::string scan_log(Bytes data);
 std::string motion_log(Bytes data);
 std::string track_log(Bytes data);
 std::string session(Bytes data);
+std::string guidance(Bytes data);
 std::string jni_layouts(Bytes data);
 
 [[nodiscard]] std::span<const Target> targets();

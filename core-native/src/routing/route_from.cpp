@@ -29,7 +29,10 @@ Router::Connection Router::connect_directly(const Spot& start, const RouteTree& 
     const RouteTree::Target& target = tree.targets[t];
     if (target.spot.room != start.room) continue;
     const double cost = distance(start.at, target.spot.at);
-    if (target.goal.kind == Goal::Kind::room) return {-1 - static_cast<std::int32_t>(t), 0.0, kInfinity};
+    // Nothing is walked, so nothing is passed more closely than usual.
+    if (target.goal.kind == Goal::Kind::room) {
+      return {-1 - static_cast<std::int32_t>(t), 0.0, config_.clearances.front().radius};
+    }
     if (cost >= best.cost) continue;
     for (const ClearanceStep& step : config_.clearances) {
       if (cost * step.cost_factor >= best.cost) break;

@@ -115,7 +115,7 @@ void BayesLocator::Core::describe_ignorance() {
   if (room == kNoRoom) return;
   const auto& r = scene_.room(room);
   estimate_.room = room;
-  estimate_.pose = {0.5 * (r.low + r.high), start_.heading.value_or(0.0)};
+  estimate_.pose = {0.5 * (r.low + r.high), wrap_angle(start_.heading.value_or(0.0))};
   estimate_.sigma_m = 0.3 * distance(r.low, r.high);
   estimate_.covariance_xx = estimate_.covariance_yy = estimate_.sigma_m * estimate_.sigma_m;
   estimate_.sigma_heading_rad = start_.heading ? kStartHeadingSigma : kPi / std::sqrt(3.0);

@@ -72,6 +72,14 @@ Building two_closets() {
   return building;
 }
 
+Building guided_closets() {
+  Building building = two_closets();
+  building.exits = {{0, {0.0, 1.0}, "way out"}};
+  building.places = {{1, {1.5, 1.0}, "shelf"}};
+  building.links = {{LevelLinkKind::stairs, 0, {0.6, 2.0}, 1, {2.0, 0.6}}};
+  return building;
+}
+
 Building alone(Room room) {
   Building building;
   building.unit = LengthUnit::metres;

@@ -21,6 +21,8 @@ namespace echoway::plans {
 [[nodiscard]] Building three_rooms();
 /// Two rooms of 2.5 x 2.5 and 2.5 x 2 m with a door between them: quick to search.
 [[nodiscard]] Building two_closets();
+/// The same with everything that guidance can lead to or along: a way out, a place, stairs.
+[[nodiscard]] Building guided_closets();
 /// One room, no door.
 [[nodiscard]] Building alone(Room room);
 

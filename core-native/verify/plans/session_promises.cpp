@@ -52,30 +52,34 @@ std::string check(const Cue& cue) {
 
 std::string check(const Route& route, const Building& building) {
   if (!std::isfinite(route.length_m) || route.length_m < 0.0) return "a route of no length";
-  // Nothing stands beside a route of no waypoints.
-  if (std::isnan(route.clearance_m) || (!route.waypoints.empty() && std::isinf(route.clearance_m))) return "a route beside nothing";
+  if (!std::isfinite(route.clearance_m)) return "a route beside nothing";
   for (const Waypoint& point : route.waypoints) {
     if (!usable({point.room, point.at}, building) || !is_finite(point.next_at)) return "a waypoint is nowhere";
   }
   return "";
 }
 
-}  // namespace
-
-std::string broken_guidance(Session& session) {
+template <class Guiding>
+std::string check(Guiding& guiding, const Building& building) {
   Cue cue;
-  for (int cues = 0; session.next_cue(cue); ++cues) {
+  for (int cues = 0; guiding.next_cue(cue); ++cues) {
     if (std::string broken = check(cue); !broken.empty()) return broken;
-    if (Speaker(session.building()).say(cue).empty()) return "a cue without words";
+    if (Speaker(building).say(cue).empty()) return "a cue without words";
     if (cues > kMostCues) return "cues without end";
   }
-  if (std::string broken = check(session.route(), session.building()); !broken.empty()) return broken;
-  if (!std::isfinite(session.obstacle_ahead_m())) return "an obstacle at no distance";
-  for (const Spot& crumb : session.breadcrumbs()) {
-    if (!usable(crumb, session.building())) return "a breadcrumb is nowhere";
+  if (std::string broken = check(guiding.route(), building); !broken.empty()) return broken;
+  if (!std::isfinite(guiding.obstacle_ahead_m())) return "an obstacle at no distance";
+  for (const Spot& crumb : guiding.breadcrumbs()) {
+    if (!usable(crumb, building)) return "a breadcrumb is nowhere";
   }
   return "";
 }
+
+}  // namespace
+
+std::string broken_guidance(Session& session) { return check(session, session.building()); }
+
+std::string broken_guidance(Guide& guide, const Building& building) { return check(guide, building); }
 
 std::string broken_explanation(Session& session) {
   for (const ExplainedEcho& echo : session.explain_scan()) {

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "echoway/guidance/guide.hpp"
 #include "echoway/session.hpp"
 
 namespace echoway::plans {
@@ -10,6 +11,7 @@ namespace echoway::plans {
 [[nodiscard]] std::string broken_promise(const Session& session);
 /// The same for cues (all that wait are taken), the route, breadcrumbs and obstacles.
 [[nodiscard]] std::string broken_guidance(Session& session);
+[[nodiscard]] std::string broken_guidance(Guide& guide, const Building& building);
 /// The same for the explained scan.
 [[nodiscard]] std::string broken_explanation(Session& session);
 

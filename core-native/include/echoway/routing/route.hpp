@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "echoway/building/building.hpp"
@@ -83,12 +82,11 @@ struct Route {
   Goal goal{};               ///< What it leads to; for nearest_exit the exit that was chosen.
 
   [[nodiscard]] bool narrow(const RouterConfig& config) const noexcept {
-    return clearance_m < config.clearances.front().radius - 1e-6;
+    return !waypoints.empty() && clearance_m < config.clearances.front().radius - 1e-6;
   }
   void clear() noexcept {
     waypoints.clear();
-    length_m = cost = 0.0;
-    clearance_m = std::numeric_limits<double>::infinity();
+    length_m = cost = clearance_m = 0.0;
     uses_stairs = uses_elevator = false;
   }
 };
