@@ -8,7 +8,7 @@ std::span<const Target> targets() {
   static constexpr std::array kAll{
       Target{"building", building},     Target{"sentences", sentences}, Target{"scan_log", scan_log},
       Target{"motion_log", motion_log}, Target{"track_log", track_log}, Target{"session", session},
-      Target{"guidance", guidance},     Target{"jni_layouts", jni_layouts},
+      Target{"tracker", tracker},       Target{"guidance", guidance},   Target{"jni_layouts", jni_layouts},
   };
   return kAll;
 }

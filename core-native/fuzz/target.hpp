@@ -24,6 +24,7 @@ std::string motion_log(Bytes data);
 std::string track_log(Bytes data);
 std::string session(Bytes data);
 std::string guidance(Bytes data);
+std::string tracker(Bytes data);
 std::string jni_layouts(Bytes data);
 
 [[nodiscard]] std::span<const Target> targets();

@@ -5,6 +5,7 @@
 #include "plans/plans.hpp"
 #include "plans/session_promises.hpp"
 #include "reader.hpp"
+#include "starts.hpp"
 #include "target.hpp"
 #include "wishes.hpp"
 
@@ -14,20 +15,16 @@ namespace {
 using plans::broken_promise;
 
 /// Keep one input short. A firing moves and weighs hundreds of particles, a millisecond under the sanitizers; all other
-/// calls together cost less.
+/// calls together cost less. What many firings do to a tracker is the target `tracker`'s business.
 constexpr int kMostCalls = 120;
-constexpr int kMostFirings = 20;
+constexpr int kMostFirings = 10;
+constexpr int kMostRestarts = 1;  ///< Each makes a locator anew.
 
-/// Seldom a start that must be searched for: a search costs as much as a hundred other inputs.
-Start any_start(Reader& in) {
-  Start start;
-  const std::uint8_t what = in.byte();
-  if (what == 255) return start;
-  start.room = what < 240 ? what % 2 : static_cast<RoomIndex>(what % 8) - 2;
-  if (what % 16 != 1) start.position = what % 16 == 2 ? Vec2{in.number(), in.number()} : in.spot();
-  if (what % 16 != 3) start.heading = in.number();
-  return start;
-}
+/// What an input may still spend.
+struct Allowance {
+  int firings = kMostFirings;
+  int restarts = kMostRestarts;
+};
 
 SessionConfig any_config(Reader& in) {
   SessionConfig config;
@@ -62,7 +59,7 @@ int fire(Session& session, Reader& in, std::uint8_t how, double time) {
   return 1;
 }
 
-void call(Session& session, Reader& in, Clock& clock, int& firings) {
+void call(Session& session, Reader& in, Clock& clock, Allowance& left) {
   const std::uint8_t what = in.byte() % 14;
   const double time = clock.next(in);
   switch (what) {
@@ -70,11 +67,13 @@ void call(Session& session, Reader& in, Clock& clock, int& firings) {
     case 8: send(session, StatusSentence{in.byte() % kMaxSensors + 1, {}, in.word() % 1000, in.word()}, time); break;
     case 9: session.on_tick(time); break;
     case 10: (in.byte() % 2 == 0) ? session.on_belt_attached(time) : session.on_belt_detached(time); break;
-    case 11: static_cast<void>(session.restart(any_start(in))); break;
+    case 11:
+      if (left.restarts-- > 0) static_cast<void>(session.restart(any_start(in)));
+      break;
     case 12:
     case 13: static_cast<void>(ask(session, in)); break;
     default:
-      if (firings < kMostFirings) firings += fire(session, in, what, time);
+      if (left.firings > 0) left.firings -= fire(session, in, what, time);
   }
 }
 
@@ -88,9 +87,9 @@ std::string session(Bytes data) {
   Session& running = **opened;
   if (std::string broken = broken_promise(running); !broken.empty()) return broken + " (at the start)";
   Clock clock;
-  int firings = 0;
+  Allowance left;
   for (int i = 0; i < kMostCalls && !in.empty(); ++i) {
-    call(running, in, clock, firings);
+    call(running, in, clock, left);
     if (std::string broken = broken_promise(running); !broken.empty()) return broken;
     if (std::string broken = plans::broken_guidance(running); !broken.empty()) return broken;
   }

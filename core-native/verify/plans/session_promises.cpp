@@ -24,6 +24,17 @@ std::string check(const Estimate& e, const Building& building) {
   return static_cast<int>(e.state) <= static_cast<int>(TrackState::lost) ? "" : "no such state";
 }
 
+std::string check(const Estimate& estimate, std::span<const Hypothesis> hypotheses, const Building& building) {
+  if (std::string broken = check(estimate, building); !broken.empty()) return broken;
+  double total = 0.0;
+  for (const Hypothesis& h : hypotheses) {
+    if (!usable(h.pose) || !std::isfinite(h.sigma_m) || !(h.probability >= 0.0)) return "a hypothesis is not finite";
+    if (h.room < 0 || h.room >= static_cast<RoomIndex>(building.rooms.size())) return "a hypothesis in no room";
+    total += h.probability;
+  }
+  return total <= 1.0 + 1e-9 ? "" : "hypotheses that add up to more than 1";
+}
+
 std::string check(const BeltHealth& health) {
   for (const double value : {health.firings_per_second, health.temperature_c, health.battery_v}) {
     if (!std::isfinite(value)) return "the belt's health is not finite";
@@ -88,15 +99,12 @@ std::string broken_explanation(Session& session) {
   return "";
 }
 
+std::string broken_promise(const Locator& locator, const Building& building) {
+  return check(locator.estimate(), locator.hypotheses(), building);
+}
+
 std::string broken_promise(const Session& session) {
-  if (std::string broken = check(session.estimate(), session.building()); !broken.empty()) return broken;
-  double total = 0.0;
-  for (const Hypothesis& h : session.hypotheses()) {
-    if (!usable(h.pose) || !std::isfinite(h.sigma_m) || !(h.probability >= 0.0)) return "a hypothesis is not finite";
-    if (h.room < 0 || h.room >= static_cast<RoomIndex>(session.building().rooms.size())) return "a hypothesis in no room";
-    total += h.probability;
-  }
-  if (!(total <= 1.0 + 1e-9)) return "hypotheses that add up to more than 1";
+  if (std::string broken = check(session.estimate(), session.hypotheses(), session.building()); !broken.empty()) return broken;
   for (const Firing& f : session.last_scan()) {
     if (!std::isfinite(f.time_s) || !std::isfinite(f.range_m)) return "the last scan is not finite";
   }
