@@ -7,6 +7,7 @@ import argparse
 from pathlib import Path
 
 import ablations
+import cost
 import lights
 import match
 import recovery
@@ -19,7 +20,7 @@ from data import Tables
 from published import SECONDS_A_MATCH
 from style import table
 
-SECTIONS = (match, single_room, sensor_count, weights, walks, lights, ablations, robustness, recovery)
+SECTIONS = (match, single_room, sensor_count, weights, walks, lights, ablations, robustness, recovery, cost)
 
 HEAD = """<!-- Written by `make report`; do not edit. -->
 # Chapter 6 again

@@ -128,7 +128,7 @@ def section(tables, out):
     text = f"""
 ## What each part of the tracker buys
 
-{count} random walks of about 80 s at 0.5 m/s, half in the lab, half in random offices, furnished; a mean over walks is made of a few
+{count} random walks of about 60 s at 0.5 m/s, half in the lab, half in random offices, furnished; a mean over walks is made of a few
 that are lost for a while, so mean and median are both given.
 
 First the tracker's own parts (`TrackerParts`), switched off one at a time, in three situations: start known, with steps and gyroscope

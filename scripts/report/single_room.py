@@ -68,7 +68,7 @@ def draw_quality(groups, out):
 
 def section(tables, out):
     groups = group(tables.rows("single-room"), "room", "plan", "method")
-    places = len(groups["1", WITHOUT, "tracker"])
+    places, tracked_places = (len(groups["1", WITHOUT, method]) for method in ("thesis", "tracker"))
     rows = []
     for room in ROOMS:
         for plan in (WITHOUT, WITH):
@@ -89,8 +89,8 @@ def section(tables, out):
 
 {places} places a room (the thesis: 30), facing anywhere, standing. The thesis's method is told a pose that is off by up to 4 ft
 and 15 degrees and matches within its bounds. The tracker is told the first place only and walks from place to place, through
-the same echoes, and is never put right again; its error is that at the end of each stand. So the method's errors have an upper
-bound, and the tracker's have none. In the world the lab benches are there; "benches" rows have them
+the same echoes, and is never put right again ({tracked_places} places a room); its error is that at the end of each stand. So the method's
+errors have an upper bound, and the tracker's have none. In the world the lab benches are there; "benches" rows have them
 on the plan too, as all-reflective elements.
 
 {table(["location error, ft", "the thesis's own", *(NAMES[m] for m in COMPARED)], rows)}

@@ -62,7 +62,7 @@ void run_lights(const Context& context) {
   const Building lab = load_plan("torgersen-lab");
   Table scans("sensor,off_m,on_m");
   const auto parts =
-      run_all(context, context.repeats(16), [&](int i) { return one_walk(lab, i, i == 0 ? &scans : nullptr); });
+      run_all(context, context.repeats(12), [&](int i) { return one_walk(lab, i, i == 0 ? &scans : nullptr); });
   Table table("walk,method,time_s,error_m,right_room");
   for (const std::string& rows : parts) table.append(rows);
   table.write(context.out / "lights.csv");

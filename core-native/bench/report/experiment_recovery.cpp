@@ -50,16 +50,18 @@ double leap_of(const Building& world, const sim::Simulation& run) {
   return at;
 }
 
-double found_after(const Track& track, double leap_s) {
+// Seconds after the leap; negative when never. What comes after that is not followed.
+double found_after(const Trial& trial, const Estimator& method, double leap_s) {
   double since = -1.0;
-  for (const Fix& fix : track.fixes) {
-    if (fix.time_s < leap_s) continue;
-    const bool right = fix.right() && fix.error_m < kRight;
+  double found = -1.0;
+  static_cast<void>(follow(trial, method, [&](const Fix& fix) {
+    const bool right = fix.time_s >= leap_s && fix.right() && fix.error_m < kRight;
     if (!right) since = -1.0;
     if (right && since < 0.0) since = fix.time_s;
-    if (right && fix.time_s - since >= kFor) return since - leap_s;
-  }
-  return -1.0;
+    if (right && fix.time_s - since >= kFor) found = since - leap_s;
+    return found >= 0.0;
+  }));
+  return found;
 }
 
 std::string one_walk(const std::string& name, int number) {
@@ -69,8 +71,8 @@ std::string one_walk(const std::string& name, int number) {
   const sim::Simulation run = walk_through(world, walk);
   const double leap_s = leap_of(world, run);
   for (const Estimator& method : {thesis_method(), tracker(), tracker_without_hints()}) {
-    const Track track = follow({world, world, run, kReferenceCelsius, walk.seed}, method);
-    rows.add(name, number, method.name, found_after(track, leap_s), run.truth.back().time_s - leap_s);
+    const Trial trial{world, world, run, kReferenceCelsius, walk.seed};
+    rows.add(name, number, method.name, found_after(trial, method, leap_s), run.truth.back().time_s - leap_s);
   }
   return rows.text();
 }
@@ -79,7 +81,7 @@ std::string one_walk(const std::string& name, int number) {
 
 void run_recovery(const Context& context) {
   const int kinds = static_cast<int>(kBuildings.size());
-  const auto parts = run_all(context, kinds * context.repeats(20), [&](int i) {
+  const auto parts = run_all(context, kinds * context.repeats(12), [&](int i) {
     return one_walk(kBuildings[static_cast<std::size_t>(i % kinds)], i / kinds);
   });
   Table table("building,walk,method,found_s,watched_s");

@@ -1,6 +1,7 @@
 // Error against one nuisance at a time.
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "experiment.hpp"
 #include "plans.hpp"
@@ -11,7 +12,7 @@
 namespace echoway::report {
 namespace {
 
-constexpr double kSeconds = 60.0;
+constexpr double kSeconds = 50.0;
 constexpr double kSpeed = 0.5;
 
 struct Setting {
@@ -25,6 +26,7 @@ struct Nuisance {
   std::string group;
   std::vector<double> levels;
   std::function<void(Setting&, double level, int number)> apply;
+  std::optional<double> nothing{};  ///< The level, if any, at which nothing goes wrong at all.
   std::function<double(double level)> speed = [](double) { return kSpeed; };
 };
 
@@ -38,9 +40,7 @@ void kill_sensors(Setting& setting, double count, int number) {
     dead.push_back(sensors[static_cast<std::size_t>(pick)]);
     sensors.erase(sensors.begin() + pick);
   }
-  if (!dead.empty()) {
-    setting.walk.steps.insert(setting.walk.steps.begin(), {sim::SensorFault{sim::SensorFault::Kind::dead, dead, 0.0}});
-  }
+  setting.walk.steps.insert(setting.walk.steps.begin(), {sim::SensorFault{sim::SensorFault::Kind::dead, dead, 0.0}});
 }
 
 double celsius_for(double sound_speed_error) {
@@ -50,7 +50,7 @@ double celsius_for(double sound_speed_error) {
 
 std::vector<Nuisance> nuisances() {
   return {
-      {"dead sensors of 15", {0, 1, 2, 4, 6, 8}, kill_sensors},
+      {"dead sensors of 15", {0, 1, 2, 4, 6, 8}, kill_sensors, 0},
       {"drop-outs (%)",
        {0, 10, 20, 30, 45, 60},
        [](Setting& s, double level, int) { s.walk.world.dropout = level / 100.0; }},
@@ -63,6 +63,7 @@ std::vector<Nuisance> nuisances() {
       {"walking speed (m/s)",
        {0.5, 0.75, 1.0, 1.25, 1.5},
        [](Setting&, double, int) {},
+       kSpeed,
        [](double level) { return level; }},
       {"sound speed off (%)",
        {-4, -2, -1, 0, 1, 2, 4},
@@ -74,57 +75,86 @@ std::vector<Nuisance> nuisances() {
        {0, 2, 5, 10, 20},
        [](Setting& s, double level, int number) {
          s.plan = walls_off(s.world, level / 100.0, static_cast<std::uint64_t>(number) + 77);
-       }},
+       },
+       0},
       {"a cupboard a room that the plan lacks",
        {0, 1},
-       [](Setting& s, double level, int number) {
-         if (level > 0.0) s.world = with_cupboards(s.world, static_cast<std::uint64_t>(number) + 5);
-       }},
+       [](Setting& s, double, int number) {
+         s.world = with_cupboards(s.world, static_cast<std::uint64_t>(number) + 5);
+       },
+       0},
       {"a cupboard a room that is gone",
        {0, 1},
-       [](Setting& s, double level, int number) {
-         if (level > 0.0) s.plan = with_cupboards(s.world, static_cast<std::uint64_t>(number) + 5);
-       }},
+       [](Setting& s, double, int number) {
+         s.plan = with_cupboards(s.world, static_cast<std::uint64_t>(number) + 5);
+       },
+       0},
       {"a partition a room moved (m)",
        {0, 0.25, 0.5, 1.0},
-       [](Setting& s, double level, int) { s.plan = partitions_moved(s.world, level); }},
+       [](Setting& s, double level, int) { s.plan = partitions_moved(s.world, level); },
+       0},
   };
 }
 
 struct Job {
-  const Nuisance* nuisance;
+  const Nuisance* nuisance;  ///< None: nothing goes wrong.
   double level;
   int number;
+  bool echoes_alone;  ///< Follow it by echoes alone too.
 };
 
-std::string one_walk(const Job& job) {
+// The walk where nothing goes wrong is the first level of many a nuisance, and walked once.
+std::vector<std::pair<std::string, double>> names_of(const Job& job, const std::vector<Nuisance>& all) {
+  if (job.nuisance != nullptr) return {{job.nuisance->group, job.level}};
+  std::vector<std::pair<std::string, double>> names;
+  for (const Nuisance& nuisance : all) {
+    if (nuisance.nothing) names.emplace_back(nuisance.group, *nuisance.nothing);
+  }
+  return names;
+}
+
+std::string one_walk(const Job& job, const std::vector<Nuisance>& all) {
   Table rows;
-  Roam roamed = roam(job.number, kSeconds, job.nuisance->speed(job.level));
+  Roam roamed = roam(job.number, kSeconds, job.nuisance != nullptr ? job.nuisance->speed(job.level) : kSpeed);
   Setting setting{roamed.world, roamed.world, roamed.walk};
-  job.nuisance->apply(setting, job.level, job.number);
+  if (job.nuisance != nullptr) job.nuisance->apply(setting, job.level, job.number);
   const auto run = sim::simulate(setting.world, setting.walk);
   if (!run) return {};  // The cupboard stands where the walk wants to go.
-  for (const Estimator& method : {thesis_method(), tracker(), tracker_without_hints()}) {
+  std::vector<Estimator> methods{thesis_method(), tracker()};
+  if (job.echoes_alone) methods.push_back(tracker_without_hints());
+  for (const Estimator& method : methods) {
     const Track track = follow({setting.world, setting.plan, *run, kReferenceCelsius, setting.walk.seed}, method);
     const Summary s = summarise(track);
-    rows.add(job.nuisance->group, job.level, job.number, method.name, s.mean_m, s.median_m, s.p90_m,
-             to_degrees(s.turn_rad), s.right_room, s.within_2_sigma, track.cpu_us);
+    for (const auto& [group, level] : names_of(job, all)) {
+      rows.add(group, level, job.number, method.name, s.mean_m, s.median_m, s.p90_m, to_degrees(s.turn_rad), s.right_room,
+               s.within_2_sigma, track.cpu_us);
+    }
   }
   return rows.text();
+}
+
+// By echoes alone, which costs most, half of the walks are followed.
+std::vector<Job> jobs_of(const std::vector<Nuisance>& all, int walks) {
+  std::vector<Job> jobs;
+  const auto add = [&](const Nuisance* nuisance, double level) {
+    for (int number = 0; number < walks; ++number) jobs.push_back({nuisance, level, number, 2 * number < walks});
+  };
+  add(nullptr, 0.0);
+  for (const Nuisance& nuisance : all) {
+    for (const double level : nuisance.levels) {
+      if (level != nuisance.nothing) add(&nuisance, level);
+    }
+  }
+  return jobs;
 }
 
 }  // namespace
 
 void run_robustness(const Context& context) {
   const std::vector<Nuisance> all = nuisances();
-  std::vector<Job> jobs;
-  for (const Nuisance& nuisance : all) {
-    for (const double level : nuisance.levels) {
-      for (int number = 0; number < context.repeats(16); ++number) jobs.push_back({&nuisance, level, number});
-    }
-  }
+  const std::vector<Job> jobs = jobs_of(all, context.repeats(12));
   const auto parts = run_all(context, static_cast<int>(jobs.size()),
-                             [&](int i) { return one_walk(jobs[static_cast<std::size_t>(i)]); });
+                             [&](int i) { return one_walk(jobs[static_cast<std::size_t>(i)], all); });
   Table table(kRoamColumns);
   for (const std::string& rows : parts) table.append(rows);
   table.write(context.out / "robustness.csv");

@@ -36,7 +36,7 @@ std::string one_walk(const Building& room, bool bare, int sensors, int number) {
 void run_sensor_count(const Context& context) {
   const Building room = load_plan("sample-room");
   const std::vector<int> counts{8, 12, 15, 24};
-  const int walks = context.repeats(16);
+  const int walks = context.repeats(12);
   const int kinds = static_cast<int>(counts.size());
   const auto parts = run_all(context, 2 * kinds * walks, [&](int i) {
     return one_walk(room, i % 2 == 0, counts[static_cast<std::size_t>(i / 2 % kinds)], i / 2 / kinds);

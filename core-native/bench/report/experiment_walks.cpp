@@ -29,54 +29,59 @@ std::string_view id_of(const Building& plan, RoomIndex room) {
   return room == kNoRoom ? std::string_view("-") : std::string_view(plan.room(room).id);
 }
 
+std::uint64_t walk_seed(const Case& c, int number) {
+  return read_plan_walk(c.plan, c.walk).seed + 1000 * static_cast<std::uint64_t>(number);
+}
+
 sim::Walk walk_of(const Case& c, bool bare, const Building& world, int number) {
   sim::Walk walk = read_plan_walk(c.plan, c.walk);
-  walk.seed += 1000 * static_cast<std::uint64_t>(number);
+  walk.seed = walk_seed(c, number);
   walk.world = sim::make_world(bare ? sim::Profile::empty : sim::Profile::furnished);
   return with_stops(world, walk, kStep);
 }
 
-std::string one_walk(const Case& c, bool bare, int number) {
+struct Walked {
+  Building world;
+  Building plan;
+  sim::Simulation run;
+};
+
+Walked walk_once(const Case& c, bool bare, int number) {
+  Building world = load_plan(c.plan);
+  Building plan = c.benches_on_plan ? world : without_reflectors(world);
+  sim::Simulation run = walk_through(world, walk_of(c, bare, world, number));
+  return {std::move(world), std::move(plan), std::move(run)};
+}
+
+// The thesis's method is fed the standing scans, the tracker everything.
+std::string follow_once(const Case& c, bool bare, int number, const Walked& walked, const Estimator& method) {
+  const std::vector<Stop> stops = find_stops(walked.world, walked.run);
+  const Trial trial{walked.world, walked.plan, walked.run, kReferenceCelsius, walk_seed(c, number)};
+  const Track track = method.thesis ? follow(trial, method, firings_at(stops, walked.run)) : follow(trial, method);
+  const auto passes = static_cast<std::size_t>(2 * walked.run.scans.belt.apply_to({}).sensors);
+  const std::size_t count = method.thesis ? track.fixes.size() : stops.size();
   Table rows;
-  const Building world = load_plan(c.plan);
-  const Building plan = c.benches_on_plan ? world : without_reflectors(world);
-  const sim::Walk walk = walk_of(c, bare, world, number);
-  const sim::Simulation run = walk_through(world, walk);
-  const std::vector<Stop> stops = find_stops(world, run);
-  const Trial trial{world, plan, run, kReferenceCelsius, walk.seed};
-  const auto add = [&](const Estimator& method, const Fix& fix, std::size_t stop) {
-    const Pose2& at = stops[stop].pose;
-    const Vec2 on_level = world.room(stops[stop].room).frame.transform(at.position);
+  for (std::size_t stop = 0; stop < count; ++stop) {
+    const Fix& fix = track.fixes[method.thesis ? stop : stops[stop].first + passes - 1];
+    const Vec2 on_level = walked.world.room(stops[stop].room).frame.transform(stops[stop].pose.position);
     rows.add(c.figure, bare ? "bare" : "furnished", number, method.name, stop, on_level.x, on_level.y,
-             id_of(world, stops[stop].room), id_of(plan, fix.room), fix.error_m, to_degrees(fix.turn_rad));
-  };
-  const std::vector<Firing> standing = firings_at(stops, run);
-  for (const Estimator& method : {thesis_method(), thesis_by_objective()}) {
-    const Track track = follow(trial, method, standing);
-    for (std::size_t i = 0; i < track.fixes.size(); ++i) add(method, track.fixes[i], i);
-  }
-  const auto passes = static_cast<std::size_t>(2 * walk.belt.sensors);
-  for (const Estimator& method : {tracker(), tracker_without_hints()}) {
-    const Track track = follow(trial, method);
-    for (std::size_t i = 0; i < stops.size(); ++i) add(method, track.fixes[stops[i].first + passes - 1], i);
+             id_of(walked.world, stops[stop].room), id_of(walked.plan, fix.room), fix.error_m, to_degrees(fix.turn_rad));
   }
   return rows.text();
 }
 
 // Told the true pose: does the right room match better than the one next door?
-std::string rooms_told_apart(const Case& c, bool bare) {
+std::string rooms_told_apart(const Case& c, bool bare, const Walked& walked) {
   Table rows;
-  const Building world = load_plan(c.plan);
-  const Building plan = c.benches_on_plan ? world : without_reflectors(world);
-  const sim::Simulation run = walk_through(world, walk_of(c, bare, world, 0));
+  const Building& plan = walked.plan;
   const std::vector<std::vector<thesis::Exit>> exits = thesis::exits_of(plan);
-  const BeltConfig belt = run.scans.belt.apply_to({});
+  const BeltConfig belt = walked.run.scans.belt.apply_to({});
   const ThesisParameters own;
   ThesisParameters next_door;  // A candidate's bounds are wider (section 5.2).
   next_door.movement_m *= next_door.candidate_growth;
   next_door.rotation_rad *= next_door.candidate_growth;
-  for (const Stop& stop : find_stops(world, run)) {
-    const thesis::Scan scan = scan_at(stop, run, own);
+  for (const Stop& stop : find_stops(walked.world, walked.run)) {
+    const thesis::Scan scan = scan_at(stop, walked.run, own);
     const thesis::Match here = RoomMatcher(plan, stop.room, belt, own).match(scan, stop.pose);
     for (const thesis::Exit& exit : exits[static_cast<std::size_t>(stop.room)]) {
       const double away = distance(exit.at, stop.pose.position);
@@ -124,14 +129,25 @@ void show_room_3(const Context& context) {
 }  // namespace
 
 void run_walks(const Context& context) {
-  const int walks = context.repeats(8);
-  const int kinds = static_cast<int>(std::size(kCases));
-  const auto parts = run_all(context, 2 * kinds * walks,
-                             [&](int i) { return one_walk(kCases[i / 2 % kinds], i % 2 == 0, i / 2 / kinds); });
+  const int walks = context.repeats(4);
+  const int kinds = 2 * static_cast<int>(std::size(kCases));  // Each case bare and furnished.
+  const auto case_of = [](int kind) -> const Case& { return kCases[kind / 2]; };
+  const auto walked = run_all(context, kinds * walks, [&](int i) {
+    return walk_once(case_of(i % kinds), i % 2 == 0, i / kinds);
+  });
+  const std::vector<Estimator> methods{tracker_without_hints(), tracker(), thesis_method(), thesis_by_objective()};
+  const int many = static_cast<int>(methods.size());
+  const auto parts = run_all(context, kinds * walks * many, [&](int i) {
+    const int walk = i / many;
+    return follow_once(case_of(walk % kinds), walk % 2 == 0, walk / kinds, walked[static_cast<std::size_t>(walk)],
+                       methods[static_cast<std::size_t>(i % many)]);
+  });
   Table table("figure,world,walk,method,stop,x_m,y_m,true_room,room,error_m,turn_deg");
   for (const std::string& rows : parts) table.append(rows);
   table.write(context.out / "walks.csv");
-  const auto apart = run_all(context, 2 * kinds, [&](int i) { return rooms_told_apart(kCases[i / 2], i % 2 == 0); });
+  const auto apart = run_all(context, kinds, [&](int i) {
+    return rooms_told_apart(case_of(i), i % 2 == 0, walked[static_cast<std::size_t>(i)]);
+  });
   Table told("figure,world,room,next_door,door_m,own_objective_m,own_quality,other_objective_m,other_quality");
   for (const std::string& rows : apart) told.append(rows);
   told.write(context.out / "rooms-apart.csv");

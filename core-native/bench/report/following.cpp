@@ -69,6 +69,33 @@ Fix compare(const Trial& trial, const Estimate& estimate, double time_s) {
   return fix;
 }
 
+Track follow_until(const Trial& trial, const Estimator& estimator, std::span<const Firing> firings,
+                   const std::function<bool(const Fix&)>& enough) {
+  Track track;
+  if (firings.empty()) return track;
+  const auto locator = make(trial, estimator, firings.front().time_s);
+  if (estimator.thermometer) locator->on_temperature(trial.temperature_c);
+  std::size_t next = 0;
+  double cpu_s = 0.0;
+  int followed = 0;
+  for (const Firing& firing : firings) {
+    const double begin = thread_seconds();
+    for (; next < trial.walk.motion.size() && trial.walk.motion[next].time_s <= firing.time_s; ++next) {
+      const MotionHint& hint = trial.walk.motion[next];
+      if (hint.kind == MotionKind::step ? estimator.steps : estimator.turns) locator->on_motion(hint);
+    }
+    ++followed;
+    const bool renewed = locator->on_firing(firing);
+    cpu_s += thread_seconds() - begin;
+    const Estimate& estimate = locator->estimate();
+    if (estimator.thesis && !renewed) continue;
+    track.fixes.push_back(compare(trial, estimate, estimator.thesis ? estimate.time_s : firing.time_s));
+    if (enough && enough(track.fixes.back())) break;
+  }
+  track.cpu_us = 1e6 * cpu_s / followed;
+  return track;
+}
+
 }  // namespace
 
 Estimator thesis_method() {
@@ -111,26 +138,11 @@ Track follow(const Trial& trial, const Estimator& estimator) {
 }
 
 Track follow(const Trial& trial, const Estimator& estimator, std::span<const Firing> firings) {
-  Track track;
-  if (firings.empty()) return track;
-  const auto locator = make(trial, estimator, firings.front().time_s);
-  if (estimator.thermometer) locator->on_temperature(trial.temperature_c);
-  std::size_t next = 0;
-  double cpu_s = 0.0;
-  for (const Firing& firing : firings) {
-    const double begin = thread_seconds();
-    for (; next < trial.walk.motion.size() && trial.walk.motion[next].time_s <= firing.time_s; ++next) {
-      const MotionHint& hint = trial.walk.motion[next];
-      if (hint.kind == MotionKind::step ? estimator.steps : estimator.turns) locator->on_motion(hint);
-    }
-    const bool renewed = locator->on_firing(firing);
-    cpu_s += thread_seconds() - begin;
-    const Estimate& estimate = locator->estimate();
-    if (estimator.thesis && !renewed) continue;
-    track.fixes.push_back(compare(trial, estimate, estimator.thesis ? estimate.time_s : firing.time_s));
-  }
-  track.cpu_us = 1e6 * cpu_s / static_cast<double>(firings.size());
-  return track;
+  return follow_until(trial, estimator, firings, {});
+}
+
+Track follow(const Trial& trial, const Estimator& estimator, const std::function<bool(const Fix&)>& enough) {
+  return follow_until(trial, estimator, trial.walk.scans.firings, enough);
 }
 
 Summary summarise(const Track& track, double from_s) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -64,6 +65,8 @@ struct Track {
 /// Follows the walk's firings (all, or those given) with motion hints where the estimator takes them.
 [[nodiscard]] Track follow(const Trial& trial, const Estimator& estimator);
 [[nodiscard]] Track follow(const Trial& trial, const Estimator& estimator, std::span<const Firing> firings);
+/// Until `enough` says so of the newest fix.
+[[nodiscard]] Track follow(const Trial& trial, const Estimator& estimator, const std::function<bool(const Fix&)>& enough);
 
 /// Of the fixes at or after `from_s`.
 struct Summary {

@@ -4,20 +4,25 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <exception>
 #include <string>
 #include <vector>
 
 #include "experiment.hpp"
+#include "table.hpp"
 
 namespace {
 
 using echoway::report::Context;
 using echoway::report::Experiment;
+using echoway::report::Table;
 
 constexpr const char* kUsage =
     "usage: echoway_report --out DIR [--quick] [--threads N] [--only NAME]...\n"
     "Writes the report's tables into DIR. Every table is the same on every run, but for processor times.\n";
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 std::string clock_time(double seconds) {
   const auto s = static_cast<long>(seconds + 0.5);
@@ -29,19 +34,25 @@ int run(const Context& context, const std::vector<Experiment>& chosen) {
   double left = 0.0;
   for (const Experiment& experiment : chosen) left += experiment.cost;
   double done = 0.0;
+  Table times("experiment,wall_s,processor_s");
   const auto begin = std::chrono::steady_clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const double before = elapsed();
+    const double processor_before = processor_seconds();
     fmt::print("[{}/{}] {} ...", i + 1, chosen.size(), chosen[i].what);
     std::fflush(stdout);
     chosen[i].run(context);
     done += chosen[i].cost;
     left -= chosen[i].cost;
-    fmt::print(" {:.0f} s; {} elapsed, about {} left\n", elapsed() - before, clock_time(elapsed()),
+    const double wall = elapsed() - before;
+    const double processor = processor_seconds() - processor_before;
+    times.add(chosen[i].name, wall, processor);
+    fmt::print(" {:.0f} s, processors {:.0f} s; {} elapsed, about {} left\n", wall, processor, clock_time(elapsed()),
                clock_time(elapsed() / done * left));
     std::fflush(stdout);
   }
+  times.write(context.out / "times.csv");
   return 0;
 }
 
