@@ -33,8 +33,9 @@ def total(rows, column):
 def table(groups):
     head = (
         "| position from | building | walks | arrive | walked / shortest | wall touches a walk "
-        "| bumps into furniture a walk | instructions at a wall | cues a minute | mean time, s | tracker error, m |\n"
-        "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n"
+        "| bumps into furniture a walk | instructions at a wall | told from a wrong place | cues a minute | mean time, s "
+        "| slowest of twenty, s | tracker error, m |\n"
+        "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n"
     )
     lines = []
     for (source, name), rows in groups.items():
@@ -43,13 +44,22 @@ def table(groups):
         if not done:
             continue
         error = f"{total(rows, 'track_error_m') / n:.2f}" if source not in BY_TRUTH else "–"
+        elsewhere = f"{100 * total(rows, 'wrong_place') / total(rows, 'leading'):.2f} %" if source not in BY_TRUTH else "–"
+        times = sorted(float(row["time_s"]) for row in done)
         lines.append(
             f"| {SOURCES[source]} | {name} | {n} | {100 * len(done) / n:.1f} % "
             f"| {total(done, 'walked_m') / total(done, 'shortest_m'):.2f} | {total(rows, 'touches') / n:.2f} "
             f"| {total(rows, 'bumps') / n:.2f} | {100 * total(rows, 'wrong') / total(rows, 'instructions'):.2f} % "
-            f"| {60 * total(rows, 'cues') / total(rows, 'time_s'):.0f} | {total(done, 'time_s') / len(done):.0f} | {error} |"
+            f"| {elsewhere} | {60 * total(rows, 'cues') / total(rows, 'time_s'):.0f} | {total(done, 'time_s') / len(done):.0f} "
+            f"| {times[(19 * len(times)) // 20]:.0f} | {error} |"
         )
     return head + "\n".join(lines) + "\n"
+
+
+def barred(groups):
+    counts = {name: int(total(rows, "barred")) for (source, name), rows in groups.items() if source == "cluttered"}
+    told = ", ".join(f"{count} in {name}" for name, count in counts.items() if count)
+    return f"Worlds drawn again because furniture barred every way (tracker, furniture on the way): {told or 'none'}.\n"
 
 
 def draw_walk(axes, traces, name, source, walk):
@@ -108,7 +118,7 @@ def main():
     for row in csv.DictReader(open(traces_file)):
         traces[row["map"], row["source"], row["walk"]].append(row)
     Path(out, "guidance-proof.md").write_text(
-        "<!-- Written by `make guidance-proof`; do not edit. -->\n\n" + table(groups) + "\n![Walks by cues alone](guidance-proof.png)\n"
+        "<!-- Written by `make guidance-proof`; do not edit. -->\n\n" + table(groups) + "\n" + barred(groups) + "\n![Walks by cues alone](guidance-proof.png)\n"
     )
     draw(groups, traces, Path(out, "guidance-proof.png"))
 

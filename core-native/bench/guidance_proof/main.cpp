@@ -1,10 +1,12 @@
 // The proof of guidance: blindfolded wearers walk through buildings by cues alone. One row a walk, as CSV.
 //   guidance_proof OUT.csv TRACES.csv WALKS SOURCE MAP...
+// WALKS: how many; or #N for walk N alone, with its diary on the standard output.
 // SOURCE: noise (truth with 0.12 m and 4 degrees of drifting error), empty or furnished (the tracker on the simulated
 // world's echoes, told where the walk starts), search (the tracker told nothing, in a furnished world), cluttered (as
 // furnished, but things stand on the way as well), obstacles (the same with the noisy truth instead of the tracker). A MAP is a
 // building's folder, or office, grid, levels for one made here.
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <numeric>
@@ -41,6 +43,7 @@ Result<Building> building_of(const std::string& map) {
 struct Files {
   std::FILE* rows;
   std::FILE* traces;
+  bool diary = false;
 };
 
 /// A way of which only the ends are kept free.
@@ -71,6 +74,58 @@ std::optional<double> shortest_round_things(const Building& plan, proof::Tracked
   return walked_length(*way);
 }
 
+/// Lines that tell the wearer which way to move, or that they are there.
+bool leads(const Cue& cue) {
+  const auto steers = [](CueKind kind) {
+    return kind == CueKind::turn || kind == CueKind::bear || kind == CueKind::go_straight || kind == CueKind::arrived ||
+           kind == CueKind::take_link;
+  };
+  return steers(cue.kind) || (cue.tail.present && steers(cue.tail.kind));
+}
+
+/// How many lines led the wearer while the tracker took them to be elsewhere: they may send anybody anywhere.
+int told_from_wrong_place(const Building& b, const proof::TrackedPose& tracked, const test::WalkOutcome& o) {
+  constexpr double kElsewhere = 1.5;  // metres
+  int wrong = 0;
+  std::size_t told = 0;
+  for (const proof::TrackedPose::Entry& e : tracked.diary()) {
+    for (; told < o.cues.size() && o.cues[told].cue.time_s <= e.time_s; ++told) {
+      const RoomIndex taken = e.estimate.room;
+      if (taken == kNoRoom || !leads(o.cues[told].cue)) continue;
+      const Vec2 is = b.room(e.room).frame.transform(e.pose.position);
+      const Vec2 thought = b.room(taken).frame.transform(e.estimate.pose.position);
+      wrong += b.room(e.room).level != b.room(taken).level || distance(is, thought) > kElsewhere ? 1 : 0;
+    }
+  }
+  return wrong;
+}
+
+/// Once a second and at each line: where the wearer was, where the tracker took them to be, and what they heard.
+void print_diary(const Building& b, const proof::TrackedPose& tracked, const test::WalkOutcome& o) {
+  constexpr std::array<const char*, 3> kStates{"searching", "tracking", "lost"};
+  const auto place = [&](RoomIndex room, const Pose2& pose) {
+    std::printf("%-9s %6.2f %6.2f %5.0f", room == kNoRoom ? "-" : b.room(room).id.c_str(), pose.position.x, pose.position.y,
+                to_degrees(pose.heading));
+  };
+  std::size_t told = 0;
+  double next = 0.0;
+  for (const proof::TrackedPose::Entry& e : tracked.diary()) {
+    const bool speaks = told < o.cues.size() && o.cues[told].cue.time_s <= e.time_s;
+    if (!speaks && e.time_s < next) continue;
+    next = e.time_s + 1.0;
+    std::printf("%6.1f  ", e.time_s);
+    place(e.room, e.pose);
+    std::printf("  | ");
+    place(e.estimate.room, e.estimate.pose);
+    std::printf("  %4.2f m %3.0f %% %.2f m/s %-9s", e.estimate.sigma_m, 100.0 * e.estimate.room_probability,
+                e.estimate.speed_mps, kStates[static_cast<std::size_t>(e.estimate.state)]);
+    for (; told < o.cues.size() && o.cues[told].cue.time_s <= e.time_s; ++told) {
+      std::printf("  %s%s", o.words[told].c_str(), o.cues[told].wrong ? " (AT A WALL)" : "");
+    }
+    std::printf("\n");
+  }
+}
+
 void walk(const std::string& name, const Router& router, const std::string& source, std::uint64_t seed, Files out) {
   Random random(7000 + seed);
   Spot start = test::random_spot(router, random);
@@ -85,6 +140,7 @@ void walk(const std::string& name, const Router& router, const std::string& sour
   std::optional<double> shortest;
   std::unique_ptr<test::PoseSource> poses;
   proof::TrackedPose* tracked = nullptr;
+  int barred = -1;  // worlds in which furniture bars every way
   if (source == "noise") {
     poses = std::make_unique<test::NoisyTruth>(0.12, degrees(4.0), seed);
   } else {
@@ -92,7 +148,7 @@ void walk(const std::string& name, const Router& router, const std::string& sour
     if (source != "search") known = {start.room, start.at, heading};
     const bool in_the_way = source == "obstacles" || source == "cluttered";
     const bool by_truth = source == "obstacles";
-    for (std::uint64_t attempt = 0; tracked == nullptr; ++attempt) {
+    for (std::uint64_t attempt = 0; tracked == nullptr; ++attempt, ++barred) {
       Random of_world(seed + 99 + 1000 * attempt);
       const sim::World world = sim::random_world(source == "empty" ? sim::Profile::empty : sim::Profile::furnished, of_world);
       auto chain = std::make_unique<proof::TrackedPose>(
@@ -112,10 +168,26 @@ void walk(const std::string& name, const Router& router, const std::string& sour
     error = std::accumulate(tracked->errors().begin(), tracked->errors().end(), 0.0) / static_cast<double>(tracked->errors().size());
     right = tracked->room_right();
   }
-  std::fprintf(out.rows, "%s,%s,%llu,%d,%.1f,%.2f,%.2f,%d,%d,%d,%zu,%.2f,%.3f,%.3f,%d\n", name.c_str(), source.c_str(),
+  std::fprintf(out.rows, "%s,%s,%llu,%d,%.1f,%.2f,%.2f,%d,%d,%d,%zu,%.2f,%.3f,%.3f,%d,%d,%d,%d\n", name.c_str(), source.c_str(),
                static_cast<unsigned long long>(seed), o.arrived ? 1 : 0, o.time_s, o.walked_m, o.shortest_m, o.touches,
-               o.wrong_cues, o.instructions, o.cues.size(), o.end_error_m, error, right, o.bumps);
+               o.wrong_cues, o.instructions, o.cues.size(), o.end_error_m, error, right, o.bumps,
+               tracked != nullptr ? told_from_wrong_place(router.building(), *tracked, o) : 0,
+               static_cast<int>(std::count_if(o.cues.begin(), o.cues.end(), [](const test::HeardCue& c) { return leads(c.cue); })),
+               std::max(barred, 0));
   std::fflush(out.rows);
+  if (out.diary && tracked != nullptr) {
+    std::printf("%s %s %llu: %s\n", name.c_str(), source.c_str(), static_cast<unsigned long long>(seed),
+                o.arrived ? "arrived" : "failed");
+    for (const Waypoint& w : way->waypoints) {
+      std::printf("way  %s %.2f %.2f\n", router.building().room(w.room).id.c_str(), w.at.x, w.at.y);
+    }
+    for (std::size_t r = 0; r < router.building().rooms.size(); ++r) {
+      for (const Segment& t : tracked->things(static_cast<RoomIndex>(r))) {
+        std::printf("thing %s %.2f %.2f  %.2f %.2f\n", router.building().rooms[r].id.c_str(), t.a.x, t.a.y, t.b.x, t.b.y);
+      }
+    }
+    print_diary(router.building(), *tracked, o);
+  }
   constexpr std::uint64_t kDrawn = 6;
   if (seed >= kDrawn) return;
   for (const test::TracePoint& p : o.trace) {
@@ -167,9 +239,11 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: guidance_proof OUT.csv TRACES.csv WALKS SOURCE MAP...\n");
     return 2;
   }
-  const Files out{std::fopen(argv[1], "a"), std::fopen(argv[2], "a")};
+  Files out{std::fopen(argv[1], "a"), std::fopen(argv[2], "a")};
   if (out.rows == nullptr || out.traces == nullptr) return 1;
-  const int walks = std::atoi(argv[3]);
+  const std::string which = argv[3];
+  out.diary = which.front() == '#';
+  const int walks = std::atoi(which.c_str() + (out.diary ? 1 : 0)) + (out.diary ? 1 : 0);
   const std::string source = argv[4];
   for (int i = 5; i < argc; ++i) {
     std::string name = argv[i];
@@ -181,7 +255,7 @@ int main(int argc, char** argv) {
     name = name.substr(name.find_last_of('/') + 1);
     const Router router(*building);
     draw_walls(name, router, out.traces);
-    for (int seed = 0; seed < walks; ++seed) walk(name, router, source, static_cast<std::uint64_t>(seed), out);
+    for (int seed = out.diary ? walks - 1 : 0; seed < walks; ++seed) walk(name, router, source, static_cast<std::uint64_t>(seed), out);
   }
   std::fclose(out.rows);
   std::fclose(out.traces);

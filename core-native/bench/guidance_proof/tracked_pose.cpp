@@ -108,12 +108,14 @@ void TrackedPose::fire(const sim::Moment& at, Guide& guide) {
   if (truth_ != nullptr) {
     guide.on_firing(firing);
     if (!moment.between.present) truth_->observe(moment.time_s, moment.room, moment.pose, moment.speed, guide);
+    diary_.push_back({moment.time_s, moment.room, moment.pose, {}});
     return;
   }
   if (!locator_.on_firing(firing)) return;
   const Estimate& e = locator_.estimate();
   if (!moment.between.present) ++observations_;
   if (!moment.between.present && e.room == moment.room) errors_.push_back(distance(e.pose.position, moment.pose.position));
+  diary_.push_back({moment.time_s, moment.room, moment.pose, e});
   guide.on_firing(firing);
   guide.on_estimate(e, locator_.hypotheses());
 }

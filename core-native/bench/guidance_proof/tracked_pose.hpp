@@ -29,6 +29,14 @@ class TrackedPose : public test::PoseSource {
 
   /// Distance between estimate and truth, metres, of every observation while the room was right.
   [[nodiscard]] const std::vector<double>& errors() const noexcept { return errors_; }
+  /// What the tracker thought at a firing, beside the truth.
+  struct Entry {
+    double time_s = 0.0;
+    RoomIndex room = kNoRoom;
+    Pose2 pose{};
+    Estimate estimate{};
+  };
+  [[nodiscard]] const std::vector<Entry>& diary() const noexcept { return diary_; }
   /// Share of the observations in which the room was right.
   [[nodiscard]] double room_right() const noexcept;
 
@@ -53,6 +61,7 @@ class TrackedPose : public test::PoseSource {
   LevelCrossing crossing_;
   LevelCrossing::Moment last_crossed_{};
   std::vector<double> errors_;
+  std::vector<Entry> diary_;
   std::size_t observations_ = 0;
 };
 

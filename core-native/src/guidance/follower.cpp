@@ -31,6 +31,8 @@ constexpr double kDoorMiss = 0.18;
 
 /// Who is to walk on must not have a wall before them as near as this, metres.
 constexpr double kFaceWall = 0.65;
+/// Nor a thing that no plan knows, of which only some points are known.
+constexpr double kFaceThing = 0.4;
 /// How ill a turn is made.
 constexpr double kWobble = degrees(8.0);
 /// What walkers who were told the same may be apart in time, seconds: at first, and once their reaction is known.
@@ -161,7 +163,8 @@ bool Follower::clear_ahead(const View& view, const Cue& cue, double direction, d
       const Vec2 way = unit_from_angle(pose.heading + understood(direction) + side * kWobble);
       for (const double error : {-sigma, sigma}) {
         if (space.reach(there + error * perpendicular(way), way, needed) < needed) return false;
-        if (hindrances_.reach(view.estimate->room, view.now, there, way, needed) < needed) return false;
+        const double elbow = std::min(needed, kFaceThing);
+        if (hindrances_.reach(view.estimate->room, view.now, there, way, elbow) < elbow) return false;
       }
     }
   }
@@ -372,7 +375,7 @@ void Follower::note_touch(const View& view) noexcept {
   const bool well_short = gone < kShort * stretch_m_ && stretch_m_ - gone > 0.6;
   stood_ = waits ? stood_ + 1 : 0;
   if (well_short && (stretch_begun_ || stood_ >= kTold)) {
-    hindrances_.add(e.room, e.pose.position + kAhead * unit_from_angle(e.pose.heading), view.now);
+    hindrances_.touch(e.room, e.pose, kAhead, view.now);
     stood_ = 0;
   } else if (waits) {
     straight_due_ = true;
@@ -564,6 +567,7 @@ bool Follower::turn_in_tight_spot(const View& view, Announcer& voice) {
       const Vec2 there = pose.position + step * unit_from_angle(pose.heading + direction);
       const double cost = step + std::abs(wrap_angle(direction - view.off)) * 0.4;
       if (cost >= best || !space.clear_between(pose.position, there, config_->body_m)) continue;
+      if (hindrances_.hinders({pose.position, there})) continue;
       Estimate then = *view.estimate;
       then.pose = {there, wrap_angle(pose.heading + direction)};
       const View seen{.estimate = &then, .now = view.now};

@@ -31,7 +31,7 @@ class Follower {
   void update(const Estimate& estimate, bool vague, Announcer& voice);
 
   /// Something that no plan knows stands at `at` in the wearer's room: the way is laid round it.
-  void note_obstacle(const Estimate& estimate, Vec2 at) noexcept { hindrances_.add(estimate.room, at, estimate.time_s); }
+  void note_obstacle(const Estimate& estimate, Vec2 at) noexcept { hindrances_.hear(estimate.room, at, estimate.time_s); }
 
   /// What to do next from here, as the tail of another line.
   [[nodiscard]] CueTail next_step(const Estimate& estimate);

@@ -9,6 +9,7 @@
 #include "guidance/certainty.hpp"
 #include "guidance/follower.hpp"
 #include "guidance/health_watch.hpp"
+#include "guidance/heard_space.hpp"
 #include "guidance/obstacle_watch.hpp"
 #include "guidance/probe.hpp"
 #include "guidance/surroundings.hpp"
@@ -30,7 +31,7 @@ constexpr double kPassing = 1.8;           ///< Doors, exits, stairs and elevato
 
 struct Guide::Impl {
   Impl(const Router& r, const GuideConfig& c)
-      : router(&r), config(c), voice(config), certainty(config), follower(r, config), obstacles(r, config) {
+      : router(&r), config(c), voice(config), certainty(config), follower(r, config), obstacles(r, config), heard(config.belt) {
     crumbs.reserve(kCrumbs);
     told_places.resize(r.building().places.size(), false);
   }
@@ -38,6 +39,9 @@ struct Guide::Impl {
   Status lead_to(const Goal& goal, RoutePreferences preferences);
   void answer_destination();
   void handle_lost(std::span<const Hypothesis> places);
+  [[nodiscard]] bool stop_before_echo();
+  [[nodiscard]] Cue probe_cue(std::span<const Hypothesis> places);
+  void note_turning();
   void handle_found();
   void tell_obstacle();
   void note_room();
@@ -58,12 +62,17 @@ struct Guide::Impl {
   guidance::Follower follower;
   guidance::ObstacleWatch obstacles;
   guidance::HealthWatch health;
+  guidance::HeardSpace heard;
   Estimate estimate{};
   std::vector<Spot> crumbs;
   bool was_lost = true;
   bool told_lost = false;
   double lost_since = -1.0;
   double last_probe = -1e300;
+  bool probed_by_turn = false;       ///< The last request was to turn.
+  double step_direction = 0.0;       ///< Of the last step that was asked for.
+  double turned_s = -1e300;          ///< The wearer was last seen to turn,
+  double turned_from = 0.0;          ///< from this heading.
   RoomIndex room = kNoRoom;          ///< Told last.
   bool room_pending = false;
   double room_since = 0.0;
@@ -126,6 +135,7 @@ const Route& Guide::route() const { return impl_->follower.route(); }
 std::span<const Spot> Guide::breadcrumbs() const { return impl_->crumbs; }
 
 void Guide::on_firing(const Firing& firing) {
+  impl_->heard.on_firing(firing);
   if (impl_->certainty.level() == Certainty::Level::lost || !impl_->position_usable()) return;
   impl_->obstacles.on_firing(firing, impl_->estimate);
 }
@@ -140,6 +150,7 @@ void Guide::on_restart() {
   Impl& g = *impl_;
   g.certainty = Certainty(g.config);
   g.obstacles.clear();
+  g.heard.clear();
   g.follower.start_over();
   g.voice.forget_instruction();
   g.estimate = {};
@@ -168,6 +179,7 @@ void Guide::on_estimate(const Estimate& estimate, std::span<const Hypothesis> hy
   if (!g.position_usable()) judged.state = TrackState::lost;
   const double now = judged.time_s;
   g.certainty.update(judged, now < std::max(g.follower.suspended_until(), g.maybe_climbing_until));
+  if (is_finite(estimate.pose)) g.note_turning();
   if (g.belt_lost) return;  // said already; nothing that is known now stays known
   if (g.certainty.level() == Certainty::Level::lost) {
     g.handle_lost(hypotheses);
@@ -181,7 +193,7 @@ void Guide::on_estimate(const Estimate& estimate, std::span<const Hypothesis> hy
   g.drop_crumb();
   g.note_room();
   g.tell_obstacle();
-  g.follower.update(g.estimate, g.certainty.level() == Certainty::Level::vague, g.voice);
+  if (!g.certainty.jumped(now)) g.follower.update(g.estimate, g.certainty.level() == Certainty::Level::vague, g.voice);
   g.tell_pending();
   if (g.follower.active()) return;
   g.tell_in_passing();
@@ -201,15 +213,52 @@ void Guide::Impl::handle_lost(std::span<const Hypothesis> places) {
       told_lost = true;
       where_asked = false;
       last_probe = now;
+      probed_by_turn = true;
     }
     return;
   }
-  if (now - last_probe < config.probe_gap_s) return;
-  const guidance::Probe probe = guidance::choose_probe(*router, config.belt, places);
+  if (stop_before_echo() || now - last_probe < (probed_by_turn ? config.probe_gap_s : config.step_gap_s)) return;
+  const Cue cue = probe_cue(places);
+  if (!voice.offer(cue, now)) return;
+  last_probe = now;
+  probed_by_turn = cue.kind == CueKind::probe_turn;
+  if (!probed_by_turn) step_direction = cue.direction;
+}
+
+/// Who is lost and walks on all the same is kept from what the belt hears before them.
+bool Guide::Impl::stop_before_echo() {
+  const double speed = std::isfinite(estimate.speed_mps) ? estimate.speed_mps : 0.0;
+  if (speed < 0.4) return false;
+  const auto echo = heard.ahead(estimate.time_s);
+  const double needed = config.body_m + 0.3 + speed * (config.line_overhead_s + config.seconds_per_word + config.reaction_s);
+  return echo && *echo < needed && voice.offer(make_cue(CueKind::stop), estimate.time_s);
+}
+
+/// The action that tells the likely places best apart. Turning on the spot shows the same walls again and again: every
+/// other time it is a step to where the belt hears that it is free, once the wearer stands still.
+Cue Guide::Impl::probe_cue(std::span<const Hypothesis> places) {
+  constexpr double kStepFree = 1.0;  // metres from the wearer's middle
+  constexpr double kStill = 1.2;     // s: directions that were heard hold
+  const double now = estimate.time_s;
+  guidance::Probe probe = guidance::choose_probe(*router, config.belt, places);
+  const bool still = now - turned_s > kStill;
+  if (probe.action == guidance::Probe::Action::step && !(still && heard.is_free(probe.direction, kStepFree, now))) {
+    probe = {guidance::Probe::Action::turn, kPi / 2, 0.0};
+  }
+  if (probe.action == guidance::Probe::Action::turn && probed_by_turn && still) {
+    if (const auto free = heard.most_free(kStepFree, step_direction, now)) probe = {guidance::Probe::Action::step, *free, 0.0};
+  }
   Cue cue = make_cue(probe.action == guidance::Probe::Action::turn ? CueKind::probe_turn : CueKind::probe_step);
   cue.direction = probe.direction;
   cue.has_direction = true;
-  if (voice.offer(cue, now)) last_probe = now;
+  return cue;
+}
+
+void Guide::Impl::note_turning() {
+  constexpr double kTurned = degrees(12.0);
+  if (std::abs(wrap_angle(estimate.pose.heading - turned_from)) < kTurned) return;
+  turned_from = estimate.pose.heading;
+  turned_s = estimate.time_s;
 }
 
 void Guide::Impl::handle_found() {

@@ -6,51 +6,57 @@
 
 #include "echoway/guidance/guide_config.hpp"
 #include "echoway/routing/router.hpp"
+#include "guidance/detour.hpp"
 #include "guidance/route_line.hpp"
 
 namespace echoway::guidance {
 
-/// Things in the way that no plan knows, remembered for a while as discs, and the way round them.
+/// Things in the way that no plan knows: points of them that were heard or touched, remembered for a while, and the way
+/// round them.
 class Hindrances {
  public:
   explicit Hindrances(const GuideConfig& config);
 
-  /// Something stands at `at`, seen or touched at `time_s`. What is close to a known thing renews it.
-  void add(RoomIndex room, Vec2 at, double time_s) noexcept;
-  void clear() noexcept { size_ = 0; }
+  /// An echo of something came from `at` at `time_s`. What is close to a known point renews it.
+  void hear(RoomIndex room, Vec2 at, double time_s) noexcept { add({room, at, time_s, false}); }
+  /// The wearer, who stands at `pose`, has met something `ahead` metres before their middle.
+  void touch(RoomIndex room, const Pose2& pose, double ahead, double time_s) noexcept;
+  void clear() noexcept;
 
   /// How far it is from `from` along `unit` to the first of them, at most `limit`.
   [[nodiscard]] double reach(RoomIndex room, double time_s, Vec2 from, Vec2 unit, double limit) const noexcept;
 
-  /// Leads the stretch of `line` that lies in `room`, where it begins, round what stands on it. The line stays as it is
-  /// where nothing does or no way round is found.
+  /// Leads the stretch of `line` that lies in `room`, where it begins, round what stands near it. A way that was found is
+  /// kept as long as it is little worse than the best one: who is sent to and fro gets nowhere. The line stays as it is
+  /// where nothing stands or walls leave no other way.
   void bend(const FreeSpace& space, RoomIndex room, double time_s, std::vector<LinePoint>& line);
   /// True when something that the last line was bent round stands on this way.
   [[nodiscard]] bool hinders(const Segment& way) const noexcept { return stands_on(way, kept_m_); }
 
  private:
-  struct Disc {
+  struct Point {
     RoomIndex room = kNoRoom;
     Vec2 at{};
     double seen_s = -1e300;
+    bool touched = false;
   };
-  static constexpr std::size_t kMost = 12;
-  static constexpr std::size_t kRing = 12;  ///< Corners of the polygon about a disc.
+  static constexpr std::size_t kMost = 64;
 
-  [[nodiscard]] bool counts(const Disc& disc, RoomIndex room, double time_s) const noexcept;
+  void add(const Point& point) noexcept;
+  [[nodiscard]] static bool counts(const Point& point, RoomIndex room, double time_s) noexcept;
   [[nodiscard]] bool stands_on(const Segment& way, double radius) const noexcept;
-  [[nodiscard]] bool lead_round(const FreeSpace& space, double radius, std::size_t last, std::vector<LinePoint>& line);
+  [[nodiscard]] bool stands_near(std::span<const LinePoint> line, std::size_t last) const noexcept;
+  [[nodiscard]] bool still_good(Vec2 from, Vec2 to);
 
   const GuideConfig* config_;
-  std::array<Disc, kMost> discs_{};
+  std::array<Point, kMost> points_{};
   std::size_t size_ = 0;
-  // Of the search for a way round; kept for their memory.
-  std::vector<Vec2> near_;        ///< Discs that count here,
+  Detour detour_;
+  RoomIndex room_ = kNoRoom;      ///< Of the way that was found last.
+  std::vector<Vec2> kept_;        ///< That way, from where the wearer is now.
+  std::vector<Vec2> found_;
+  std::vector<Vec2> near_;        ///< Points that count here,
   double kept_m_ = 0.0;           ///< and how far the line keeps from them.
-  std::vector<Vec2> nodes_;
-  std::vector<double> costs_;
-  std::vector<std::size_t> before_;
-  std::vector<bool> done_;
   std::vector<LinePoint> bent_;
 };
 

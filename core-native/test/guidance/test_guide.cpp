@@ -80,6 +80,21 @@ struct Listener {
     return fetch();
   }
 
+  /// Scans in which `range` says what the sensor that looks to a side of the chest hears.
+  template <class Range>
+  std::vector<Cue> hear(double seconds, const Estimate& pose, Range range) {
+    const BeltConfig belt;
+    for (const double end = now + seconds; now < end;) {
+      for (int sensor = 0; sensor < belt.sensors; ++sensor, now += kSlot) {
+        guide.on_firing({now, sensor, range(wrap_angle(belt.bearing(sensor)))});
+        Estimate e = pose;
+        e.time_s = now;
+        guide.on_estimate(e);
+      }
+    }
+    return fetch();
+  }
+
   Router router;
   Guide guide;
   double now = 0.0;
@@ -130,10 +145,10 @@ TEST_F(GuideTest, LostItSaysSoAndNothingElseUntilItIsFound) {
   ASSERT_FALSE(cues.empty());
   EXPECT_EQ(cues.front().kind, CueKind::uncertain);
   for (const Cue& cue : cues) EXPECT_EQ(urgency_of(cue.kind), Urgency::broken) << to_string(cue.kind);
-  const auto found = wearer.stand(3.0, 0, {1, 2.5}, 90.0);
-  ASSERT_FALSE(found.empty());
-  EXPECT_EQ(found.front().kind, CueKind::found);
-  EXPECT_EQ(found.front().tail.kind, CueKind::turn);
+  const auto then = wearer.stand(4.0, 0, {1, 2.5}, 90.0);
+  const auto found = std::find_if(then.begin(), then.end(), [](const Cue& c) { return c.kind == CueKind::found; });
+  ASSERT_NE(found, then.end());
+  EXPECT_EQ(found->tail.kind, CueKind::turn);
 }
 
 TEST_F(GuideTest, BelievesAPlaceLessReadilyEachTimeItIsLostAgain) {
@@ -164,6 +179,50 @@ TEST_F(GuideTest, LostItAsksForAnActionThatTells) {
   const auto cues = kinds(wearer.stay(15.0, lost(0), places));
   EXPECT_TRUE(std::count(cues.begin(), cues.end(), CueKind::probe_turn) +
               std::count(cues.begin(), cues.end(), CueKind::probe_step));
+}
+
+TEST_F(GuideTest, LostItAsksForAStepOnlyWhereTheBeltHearsThatItIsFree) {
+  (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
+  const auto cues = wearer.hear(40.0, lost(0), [](double bearing) { return std::abs(bearing - kPi / 2) < degrees(70.0) ? 3.0 : 0.6; });
+  EXPECT_THAT(kinds(cues), Contains(CueKind::probe_step));
+  for (const Cue& cue : cues) {
+    if (cue.kind == CueKind::probe_step) {
+      EXPECT_NEAR(cue.direction, kPi / 2, 0.1);
+    }
+  }
+}
+
+TEST_F(GuideTest, LostItAsksForNoStepWhereNothingIsHeardToBeFree) {
+  (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
+  const auto near = wearer.hear(40.0, lost(0), [](double) { return 0.6; });
+  EXPECT_THAT(kinds(near), Contains(CueKind::probe_turn));
+  EXPECT_THAT(kinds(near), Not(Contains(CueKind::probe_step)));
+  const auto silent = wearer.hear(40.0, lost(0), [](double) { return Firing::kNoEcho; });
+  EXPECT_THAT(kinds(silent), Not(Contains(CueKind::probe_step))) << "a wall that is met aslant is silent too";
+}
+
+TEST_F(GuideTest, LostItKeepsAWalkerFromWhatTheBeltHearsAhead) {
+  (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
+  Estimate walking = lost(0);
+  walking.speed_mps = 0.8;
+  const auto ahead = [](double range) { return [range](double bearing) { return std::abs(bearing) < 0.1 ? range : 5.0; }; };
+  EXPECT_THAT(kinds(wearer.hear(6.0, walking, ahead(4.0))), Not(Contains(CueKind::stop)));
+  EXPECT_THAT(kinds(wearer.hear(6.0, walking, ahead(0.8))), Contains(CueKind::stop));
+}
+
+TEST_F(GuideTest, EchoesThatDoNotFitAreNoLossYetWhileThePlaceGoesOnSteadily) {
+  (void)wearer.stand(10.0, 0, {1, 2.5}, 0.0);
+  Estimate unfit = at(0, 0, {1, 2.5}, 0.0);
+  unfit.state = TrackState::lost;
+  EXPECT_THAT(wearer.stay(4.0, unfit), IsEmpty());
+  EXPECT_THAT(kinds(wearer.stay(4.0, unfit)), Contains(CueKind::uncertain));
+}
+
+TEST_F(GuideTest, TellsNothingOfTheWayFromAPlaceThatHasJustJumped) {
+  ASSERT_TRUE(guide.set_destination({Goal::Kind::spot, 0, {0, {4, 1.0}}}));
+  (void)wearer.stand(10.0, 0, {1, 1.0}, 0.0);
+  EXPECT_THAT(wearer.stand(1.5, 0, {4, 1.0}, 0.0), IsEmpty());
+  EXPECT_THAT(kinds(wearer.stand(3.0, 0, {4, 1.0}, 0.0)), Contains(CueKind::arrived));
 }
 
 TEST_F(GuideTest, GivesNoPreciseInstructionWhenUnsure) {
@@ -298,7 +357,7 @@ TEST_F(GuideTest, LeadsBackTheWayTheWearerCame) {
   (void)wearer.stand(1.0, 0, {4, 2.5}, 0.0);
   (void)wearer.stand(1.0, 1, {1, 2.5}, 0.0);
   ASSERT_TRUE(guide.back_track());
-  (void)wearer.stand(1.0, 1, {2.0, 2.5}, 0.0);
+  (void)wearer.stand(1.0, 1, {1.6, 2.5}, 0.0);
   const Route& route = guide.route();
   ASSERT_FALSE(route.waypoints.empty());
   EXPECT_EQ(route.waypoints.back().room, 0);

@@ -287,6 +287,22 @@ TEST(Router, RefusesWhatIsNotFiniteOrNotThere) {
   EXPECT_FALSE(router.find_route({0, {1, 1}}, {Goal::Kind::nearest_exit, -1, {}}));
 }
 
+TEST(Router, TellsNoInfiniteClearanceOfAWayThatIsNone) {
+  const Building b = make_grid(2, 1);
+  const Router router(b);
+  const Result<RouteTree> tree = router.tree_to({Goal::Kind::room, 0, {}});
+  ASSERT_TRUE(tree);
+  Route route;
+  ASSERT_TRUE(router.route_from({0, {1, 1}}, *tree, route));  // there already
+  EXPECT_TRUE(std::isfinite(route.clearance_m));
+  EXPECT_FALSE(route.narrow(router.config()));
+  EXPECT_FALSE(router.route_from({7, {1, 1}}, *tree, route));
+  EXPECT_TRUE(route.waypoints.empty());
+  EXPECT_EQ(route.clearance_m, 0.0);
+  route.clear();
+  EXPECT_EQ(route.clearance_m, 0.0);
+}
+
 TEST(Router, FindsGoalsByWhatWearersSay) {
   Building b = make_grid(2, 1);
   b.rooms[1].name = "Seminar room";

@@ -389,7 +389,8 @@ WalkOutcome walk_blindfolded(const Router& router, const Spot& start, double hea
   const Result<Route> best = router.find_route(start, goal);
   if (!best || !guide.set_destination(goal)) return outcome;
   outcome.shortest_m = shortest_m.value_or(walked_length(*best));
-  const double limit = 60.0 + 5.0 * best->length_m / model.speed_low;
+  // Nobody gives up soon: five minutes, and as long again as a slow walker would need five times over.
+  const double limit = 300.0 + 5.0 * outcome.shortest_m / model.speed_low;
   double last_trace = -1.0;
   for (double now = 0.0; now < limit && !wearer.done(); now += kTick) {
     wearer.live(now);

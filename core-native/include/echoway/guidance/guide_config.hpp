@@ -22,11 +22,14 @@ struct GuideConfig {
   double lost_probability = 0.5;      ///< Of the room; below: not known.
   double found_probability = 0.7;
   double lost_after_s = 1.5;          ///< How long it must stay so before the wearer is told.
-  double found_after_s = 0.6;
-  double relapse_s = 20.0;            ///< Lost again so soon after it was found: the next find must last twice as long.
+  double found_after_s = 0.9;
+  double steady_lost_after_s = 5.0;   ///< The same where only the echoes do not fit and the place goes on steadily.
+  double relapse_s = 40.0;            ///< Lost again so soon after it was found: the next find must last twice as long.
+  double settle_s = 2.0;              ///< A place that has jumped must hold this long before the way is told from there.
   double vague_sigma_m = 0.6;         ///< Above: only coarse instructions.
   double vague_probability = 0.8;
-  double probe_gap_s = 9.0;           ///< Between two requests to turn or step while lost.
+  double probe_gap_s = 9.0;           ///< After a request to turn, while lost, until the next request;
+  double step_gap_s = 6.0;            ///< after one to step.
 
   // The way.
   double renew_s = 0.2;               ///< The way is looked at this often.

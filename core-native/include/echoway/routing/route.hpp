@@ -76,7 +76,7 @@ struct Route {
   std::vector<Waypoint> waypoints;
   double length_m = 0.0;     ///< Walked, stairs counted with their configured cost.
   double cost = 0.0;         ///< What was minimised: length with narrow places and avoided stairs counting for more.
-  double clearance_m = 0.0;  ///< The least that it keeps from walls, doorways apart. Below the first step: a narrow place.
+  double clearance_m = 0.0;  ///< The least that it keeps from walls, doorways apart. Below the first step: a narrow place. 0 without a way.
   bool uses_stairs = false;
   bool uses_elevator = false;
   Goal goal{};               ///< What it leads to; for nearest_exit the exit that was chosen.

@@ -1,0 +1,89 @@
+#include "guidance/detour.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "echoway/routing/router.hpp"
+#include "guidance/hindrances.hpp"
+#include "support/plans.hpp"
+
+namespace echoway::guidance {
+namespace {
+
+double length(const std::vector<Vec2>& way) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) sum += distance(way[i - 1], way[i]);
+  return sum;
+}
+
+double nearest(const std::vector<Vec2>& way, const std::vector<Vec2>& things) {
+  double best = 1e9;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    for (const Vec2 p : things) best = std::min(best, distance(Segment{way[i - 1], way[i]}, p));
+  }
+  return best;
+}
+
+class DetourTest : public ::testing::Test {
+ protected:
+  Building hall = test::make_grid(1, 1, 6.0);
+  Router router{hall};
+  const FreeSpace& space = router.space(0);
+  Detour detour;
+  std::vector<Vec2> way;
+};
+
+TEST_F(DetourTest, GoesStraightWhereNothingStands) {
+  ASSERT_TRUE(detour.find(space, 0, {}, {1, 3}, {4.5, 3.4}, way));
+  EXPECT_EQ(way.size(), 2U);
+}
+
+TEST_F(DetourTest, KeepsClearOfAThingByASmallDetour) {
+  const std::vector<Vec2> things{{2.8, 3.0}};
+  ASSERT_TRUE(detour.find(space, 0, things, {1, 3}, {4.5, 3}, way));
+  EXPECT_GT(nearest(way, things), 0.45);
+  EXPECT_LT(length(way), 4.2);
+}
+
+TEST_F(DetourTest, TakesTheWideGapAndNotTheNarrowOne) {
+  std::vector<Vec2> things;  // a row with a gap of 0.5 m ahead and one of 1.6 m to the left
+  for (double y = 0.2; y < 5.9; y += 0.1) {
+    const bool narrow = std::abs(y - 3.0) < 0.25;
+    const bool wide = std::abs(y - 4.8) < 0.8;
+    if (!narrow && !wide) things.push_back({2.8, y});
+  }
+  ASSERT_TRUE(detour.find(space, 0, things, {1, 3}, {4.5, 3}, way));
+  EXPECT_GT(nearest(way, things), 0.5);
+}
+
+TEST_F(DetourTest, FeelsItsWayThroughWhatIsOnlyHeardAndNeverThroughAWall) {
+  std::vector<Vec2> things;
+  for (double y = 0.1; y < 6.0; y += 0.1) things.push_back({2.8, y});
+  EXPECT_TRUE(detour.find(space, 0, things, {1, 3}, {4.5, 3}, way)) << "echoes may err";
+  hall.rooms[0].walls.push_back({{2.8, 0.0}, {2.8, 6.0}});
+  const Router walled(hall);
+  Detour other;
+  EXPECT_FALSE(other.find(walled.space(0), 0, {}, {1, 3}, {4.5, 3}, way));
+}
+
+TEST_F(DetourTest, IsKeptWhileAnotherWayIsHardlyBetter) {
+  const GuideConfig config;
+  Hindrances hindrances(config);
+  hindrances.hear(0, {2.8, 3.02}, 0.0);
+  const auto side = [&](Vec2 from, double now) {
+    std::vector<LinePoint> line{{from, WaypointKind::start, -1}, {{4.5, 3.0}, WaypointKind::goal, -1}};
+    hindrances.bend(space, 0, now, line);
+    return line.size() < 3 ? 0.0 : line[1].at.y - 3.0;
+  };
+  const double first = side({1.0, 3.0}, 0.0);
+  ASSERT_NE(first, 0.0);
+  // The wearer drifts a little to the other side, where a way round would be a little shorter.
+  const double across = first > 0.0 ? -0.12 : 0.12;
+  EXPECT_GT(side({1.2, 3.0 + across}, 1.0) * first, 0.0);
+}
+
+}  // namespace
+}  // namespace echoway::guidance
