@@ -1,6 +1,7 @@
 #include "guidance/hindrances.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace echoway::guidance {
@@ -103,54 +104,61 @@ bool Hindrances::still_good(Vec2 from, Vec2 to) {
   return std::isfinite(cost) && kMuchBetter * cost <= detour_.cost(found_);
 }
 
-void Hindrances::bend(const FreeSpace& space, RoomIndex room, double time_s, std::vector<LinePoint>& line) {
+void Hindrances::look_round(RoomIndex room, double time_s, Vec2 from) {
   near_.clear();
   kept_m_ = 0.0;
-  if (size_ == 0 || line.size() < 2) return;
-  const Vec2 from = line.front().at;
   for (std::size_t i = 0; i < size_; ++i) {
     if (counts(points_[i], room, time_s) && distance(points_[i].at, from) < Detour::kReach) near_.push_back(points_[i].at);
   }
-  if (near_.empty()) return;
-  // The last corner of the line that is near enough, in this room; the next one is cut short if there is none.
-  std::size_t last = 1;
+}
+
+/// A place on the straight line to `to`, which is too far away to be searched for, where no thing is.
+Vec2 Hindrances::part_of_the_way(Vec2 from, Vec2 to) const {
+  const Vec2 unit = (1.0 / distance(from, to)) * (to - from);
+  const auto taken = [&](double on) {
+    return std::any_of(near_.begin(), near_.end(), [&](Vec2 p) { return distance(from + on * unit, p) < kMatters; });
+  };
+  double on = 0.9 * Detour::kReach;
+  while (on > 1.0 && taken(on)) on -= 0.2;
+  return from + on * unit;
+}
+
+/// How near the way that is kept comes to things, the wearer's own place left out.
+double Hindrances::nearest_to_way() const {
+  double nearest = kMatters;
+  for (std::size_t i = 1; i < kept_.size(); ++i) {
+    const Segment leg{kept_[i - 1], kept_[i]};
+    for (const Vec2 at : near_) {
+      const double apart = distance(leg, at);
+      if (apart < distance(kept_.front(), at) - 1e-6) nearest = std::min(nearest, apart);
+    }
+  }
+  return nearest;
+}
+
+void Hindrances::bend(const FreeSpace& space, RoomIndex room, double time_s, std::vector<LinePoint>& line) {
+  if (line.empty()) return;
+  const Vec2 from = line.front().at;
+  look_round(room, time_s, from);
+  if (near_.empty() || line.size() < 2) return;
+  // The last corner of the line in this room that is near enough, else a part of the way to the first.
   const auto in_reach = [&](Vec2 at) { return std::max(std::abs(at.x - from.x), std::abs(at.y - from.y)) < Detour::kReach; };
+  std::size_t last = 1;
   while (last + 1 < line.size() && line[last].kind == WaypointKind::turn && in_reach(line[last + 1].at)) ++last;
   if (!stands_near(line, last)) return;
-  Vec2 to = line[last].at;
-  bool cut = false;
-  if (!in_reach(to)) {
-    const Vec2 way = to - from;
-    const double length = norm(way);
-    double on = 0.9 * Detour::kReach;
-    // It should not end within a thing.
-    const auto taken = [&](double at) {
-      return std::any_of(near_.begin(), near_.end(), [&](Vec2 p) { return distance(from + (at / length) * way, p) < kMatters; });
-    };
-    while (on > 1.0 && taken(on)) on -= 0.2;
-    to = from + (on / length) * way;
-    cut = true;
-  }
+  const bool whole = in_reach(line[last].at);
+  const Vec2 to = whole ? line[last].at : part_of_the_way(from, line[last].at);
   if (!detour_.find(space, room, near_, from, to, found_)) {
     near_.clear();
     return;
   }
   if (room != room_ || !still_good(from, to)) kept_ = found_;
   room_ = room;
-  double nearest = kMatters;
-  for (std::size_t i = 1; i < kept_.size(); ++i) {
-    const Segment leg{kept_[i - 1], kept_[i]};
-    for (const Vec2 at : near_) {
-      // Where the wearer stands already does not count.
-      const double apart = distance(leg, at);
-      if (apart < distance(from, at) - 1e-6) nearest = std::min(nearest, apart);
-    }
-  }
-  kept_m_ = std::max(0.0, nearest - kPlay);
+  kept_m_ = std::max(0.0, nearest_to_way() - kPlay);
   bent_.clear();
   bent_.push_back(line.front());
   for (std::size_t i = 1; i + 1 < kept_.size(); ++i) bent_.push_back({kept_[i], WaypointKind::turn, -1});
-  if (cut) bent_.push_back({to, WaypointKind::turn, -1});
+  if (!whole) bent_.push_back({to, WaypointKind::turn, -1});
   bent_.insert(bent_.end(), line.begin() + static_cast<std::ptrdiff_t>(last), line.end());
   line.swap(bent_);
 }

@@ -46,7 +46,10 @@ class Hindrances {
   [[nodiscard]] static bool counts(const Point& point, RoomIndex room, double time_s) noexcept;
   [[nodiscard]] bool stands_on(const Segment& way, double radius) const noexcept;
   [[nodiscard]] bool stands_near(std::span<const LinePoint> line, std::size_t last) const noexcept;
+  void look_round(RoomIndex room, double time_s, Vec2 from);
   [[nodiscard]] bool still_good(Vec2 from, Vec2 to);
+  [[nodiscard]] Vec2 part_of_the_way(Vec2 from, Vec2 to) const;
+  [[nodiscard]] double nearest_to_way() const;
 
   const GuideConfig* config_;
   std::array<Point, kMost> points_{};
