@@ -56,16 +56,9 @@ stiff-page: core ## Write docs/stiff-cases.md
 faults-page: core ## Write docs/faults.md
 	@$(VERIFY) faults-page > docs/faults.md
 
-# Limits of one input: 256 MB, and 1 s of an ordinary build, which the sanitizers make ten. One target after the other, SECONDS each; FUZZ="a b" picks targets.
+# One target after the other, SECONDS each; FUZZ="a b" picks targets.
 SECONDS := 60
 FUZZ := $(patsubst core-native/fuzz/targets/%.cpp,%,$(wildcard core-native/fuzz/targets/*.cpp))
-FUZZ_LIMITS := -timeout=10 -malloc_limit_mb=256 -rss_limit_mb=768
 .PHONY: fuzz
-fuzz: build-fuzz ## Fuzz every target for SECONDS=60 each, starting from core-native/fuzz/corpus
-	@for target in $(FUZZ); do \
-	  echo "== $$target"; \
-	  mkdir -p $(BUILD)/fuzz/found/$$target; \
-	  TMPDIR=/dev/shm ASAN_OPTIONS=quarantine_size_mb=16 nice $(BUILD)/fuzz/fuzz/fuzz_$$target \
-	    -max_total_time=$(SECONDS) $(FUZZ_LIMITS) -print_final_stats=1 -verbosity=0 -artifact_prefix=$(BUILD)/fuzz/$$target- \
-	    $(BUILD)/fuzz/found/$$target core-native/fuzz/corpus/$$target core-native/fuzz/regressions/$$target; \
-	done
+fuzz: build-fuzz ## Fuzz every target for SECONDS=60 each, starting from core-native/fuzz/corpus; adds to docs/fuzzing.md
+	@$(PYTHON) scripts/fuzz.py --build $(BUILD)/fuzz --core core-native --page docs/fuzzing.md --seconds $(SECONDS) $(FUZZ)

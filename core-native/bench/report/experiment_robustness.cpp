@@ -139,12 +139,12 @@ std::vector<Job> jobs_of(const std::vector<Nuisance>& all, int walks) {
   const auto add = [&](const Nuisance* nuisance, double level) {
     for (int number = 0; number < walks; ++number) jobs.push_back({nuisance, level, number, 2 * number < walks});
   };
-  add(nullptr, 0.0);
   for (const Nuisance& nuisance : all) {
     for (const double level : nuisance.levels) {
       if (level != nuisance.nothing) add(&nuisance, level);
     }
   }
+  add(nullptr, 0.0);
   return jobs;
 }
 
