@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t kParticlesPerCell = 14;     // While several places are possible.
 constexpr std::size_t kSettledCells = 10;         // A belief this narrow takes the tracking number of particles.
 constexpr double kStairwellShare = 0.80;          // Or neither: it is not known what answers there.
+constexpr std::uint64_t kSilence = 32;             // Firings without an echo after which
+constexpr std::size_t kDeafParticles = 400;       // more particles would learn no more.
 constexpr std::size_t kAwayParticles = 800;       // Few of them arrive at the right moment and facing the right way.
 constexpr double kLongestInterval = 3.0;          // Seconds that are still walked through; longer ones are a break.
 constexpr double kTemperatureSigma = 0.006;       // ln of speed: 3.5 K, a thermometer against the body.
@@ -35,8 +37,11 @@ double tempered(double density, double share) noexcept {
 
 void BayesLocator::Core::on_motion(const MotionHint& hint) {
   hints_.on_hint(hint);
-  // Only the first search takes a compass at its word: it drifts, and a search that follows a loss must not be misled.
-  if (main_.empty() && hint.kind == MotionKind::heading && std::isfinite(hint.value)) compass_ = wrap_angle(hint.value);
+  // Only the first searches take a compass at its word: it drifts, and a search that follows a loss must not be misled.
+  if ((main_.empty() || unconfirmed_ > 0) && hint.kind == MotionKind::heading && std::isfinite(hint.value)) {
+    compass_ = wrap_angle(hint.value);
+    compass_said_ = history_.end();
+  }
 }
 
 void BayesLocator::Core::on_temperature(double celsius) {
@@ -221,9 +226,16 @@ void BayesLocator::Core::thin_out(Population& population) {
   if (away_ > kPerhapsAway) target = std::max(target, kAwayParticles);
   if (cells > kSettledCells) target = std::max(target, kParticlesPerCell * cells);
   target = std::max(target, static_cast<std::size_t>(fit_.doubt() * static_cast<double>(settled)));
+  if (echoes_since(history_.end() - std::min(history_.end(), kSilence)) == 0) target = std::min(target, kDeafParticles);
   target = std::min(target, population.capacity());
   if (effective > 0.5 * n && target >= population.size()) return;
   population.resample(target, random_);
+}
+
+int BayesLocator::Core::echoes_since(std::uint64_t firing) const {
+  int echoes = 0;
+  for (std::uint64_t n = firing; n < history_.end(); ++n) echoes += history_[n].echo && history_[n].trust > 0.0;
+  return echoes;
 }
 
 void BayesLocator::Core::conclude(double time_s) {
@@ -239,6 +251,7 @@ void BayesLocator::Core::conclude(double time_s) {
   log_scale_sigma_ = std::max(summary_.log_scale_sigma, kLeastScaleSigma);
   if (!links_.none()) see_who_is_away();
   estimate_.state = state();
+  if (unconfirmed_ > 0) unconfirmed_ = fit_.doubtful() ? kConfirmed : unconfirmed_ - (estimate_.state == TrackState::tracking);
 }
 
 void BayesLocator::Core::see_who_is_away() {

@@ -39,6 +39,8 @@ class BayesLocator::Core {
  private:
   static constexpr double kUsuallyMapped = 0.7;      ///< mapped_share_ of a belief that is new.
   static constexpr double kLeastScaleSigma = 0.004;  ///< The speed of sound is never known better.
+  static constexpr int kConfirmed = 160;             ///< Firings: ten seconds.
+  static constexpr int kFewestEchoes = 2;            ///< Less is not worth a search.
   static constexpr double kPerhapsAway = 0.2;        ///< away_ from which on nobody is looked for in the rooms.
 
   // Starting.
@@ -63,6 +65,7 @@ class BayesLocator::Core {
   [[nodiscard]] double density_away(tracker::Particle& p, const tracker::Shot& shot, double anywhere);
   void track(tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait);
   void thin_out(tracker::Population& population);
+  [[nodiscard]] int echoes_since(std::uint64_t firing) const;
   [[nodiscard]] std::span<const tracker::Spot> recall(const tracker::Shot& shot);
   void remember(const tracker::Record& record);
   void conclude(double time_s);
@@ -73,10 +76,11 @@ class BayesLocator::Core {
   void pursue_search();
   void start_first_search();
   void start_recovery();
+  [[nodiscard]] std::optional<double> compass_at(std::uint64_t firing) const;
   void conclude_first_search();
   void challenge();
   void settle_probation(tracker::Rival::Verdict verdict);
-  void note_failed_search();
+  [[nodiscard]] std::uint64_t search_pause() const;
   [[nodiscard]] double handicap() const;
   [[nodiscard]] bool hears_far() const;
   [[nodiscard]] tracker::Search::Tools tools() const;
@@ -110,7 +114,8 @@ class BayesLocator::Core {
   double unmapped_ = 0.0;           ///< Probability that the last echo came from nothing in the plan.
   std::array<Vec2, kMaxSensors> bearings_{};
   double last_heading_ = 0.0;
-  std::optional<double> compass_;   ///< What it said last before the first search, in the levels' frames.
+  std::optional<double> compass_;   ///< What it said last before a place was found for sure, in the levels' frames,
+  std::uint64_t compass_said_ = 0;  ///< and before which firing.
 
   bool clock_set_ = false;
   double last_time_ = 0.0;
@@ -119,9 +124,10 @@ class BayesLocator::Core {
   double pace_ = 0.55;              ///< Usual walking speed, learnt.
   double log_scale_ = 0.0;
   double log_scale_sigma_ = 0.0;
-  int failed_circles_ = 0;          ///< Searches in a row that found nothing, each wider than the one before.
+  int fruitless_ = 0;               ///< Searches in a row that found nothing, each wider than the one before.
+  int unconfirmed_ = 0;             ///< Firings that a place which a search found must yet explain to be taken for granted.
   std::uint64_t searches_ = 0;      ///< Recovery searches so far.
-  std::uint64_t no_search_before_ = 0;
+  std::uint64_t last_search_ = 0;   ///< End of the history when it ended; 0: none yet.
 
   Estimate estimate_;
   tracker::Summary summary_;

@@ -11,7 +11,9 @@ namespace {
 
 constexpr std::uint64_t kRecoveryWindow = 40;        // Firings that a recovery search looks back on.
 constexpr std::uint64_t kBlindRecoveryWindow = 20;   // The same without a gyroscope: a wearer hardly turns meanwhile.
-constexpr std::uint64_t kSearchPause = 48;           // Firings between searches.
+constexpr std::uint64_t kSearchPause = 48;           // Firings between searches,
+constexpr int kMostDoublings = 3;                    // doubled so often at most while they find nothing,
+constexpr std::uint64_t kUnconfirmedPause = 32;      // and while no place has proved itself yet.
 constexpr double kSurelyAway = 0.5;                  // Who is on the stairs is looked for where they lead.
 
 // In widening circles: a tracker that lost its hold is most often not far off.
@@ -23,9 +25,10 @@ constexpr double kHeadingStep = degrees(8.0);
 // Log odds that the belief is wrong and what was found instead is right, before its probation: a belief that still fits
 // somehow is seldom wrong by a little and hardly ever by much.
 constexpr double kLogNear = -7.0;
-constexpr double kLogFar = -20.0;
 constexpr double kLogNearWhenPoor = -3.0;
 constexpr double kLogFarWhenPoor = -8.0;
+constexpr double kLogUnconfirmed = -5.0;             // The same while a place that a search found has not proved itself.
+constexpr double kLogUnconfirmedWhenPoor = -2.0;
 constexpr double kLogReturn = -7.0;                  // Of the old belief, once it is given up.
 // And on the firings that chose it: what does worse than this is not worth a probation.
 constexpr double kLogHopeless = -3.0;
@@ -40,7 +43,7 @@ constexpr int kFarEchoes = 2;                        // One may be a ghost.
 Search::Tools BayesLocator::Core::tools() const {
   const EchoModel& model = hearing_test_ == HearingTest::running ? deafened_ : *model_;
   return {model,     scene_, motion_, belt_, history_, building_, log_scale_, std::max(log_scale_sigma_, kLeastScaleSigma),
-          main_.empty() ? 0.0 : summary_.gyro_bias};
+          main_.empty() ? 0.0 : summary_.gyro_bias, pace_};
 }
 
 // Searches when nothing is known yet, and when the echoes fit less well than they used to.
@@ -62,7 +65,8 @@ void BayesLocator::Core::pursue_search() {
 
 void BayesLocator::Core::start_recovery() {
   const std::uint64_t now = history_.end();
-  if (!options_.parts.recovery || now < no_search_before_ || now < kRecoveryWindow) return;
+  if (!options_.parts.recovery || now < kRecoveryWindow || now < last_search_ + search_pause()) return;
+  const std::uint64_t begin = now - (gyro_ ? kRecoveryWindow : kBlindRecoveryWindow);
   SearchDomain domain;
   domain.heading_sigma = kHeadingStep;
   if (away_ > kSurelyAway) {
@@ -73,23 +77,43 @@ void BayesLocator::Core::start_recovery() {
     search_.start(domain, now - kRecoveryWindow, now);
     return;
   }
-  if (away_ > kPerhapsAway || !fit_.doubtful()) return;
+  const bool unsure = fit_.doubtful() || (unconfirmed_ > 0 && estimate_.state != TrackState::tracking);
+  if (away_ > kPerhapsAway || !unsure || echoes_since(begin) < kFewestEchoes) return;
+  if (unconfirmed_ > 0) {
+    if (start_.room && fruitless_ == 0) domain.only_room = *start_.room;
+    domain.level_heading = compass_at(begin);
+    search_.start(domain, begin, now);
+    return;
+  }
   domain.near_room = estimate_.room;
   domain.near_position = estimate_.pose.position;
-  const int circle = fit_.poor() ? failed_circles_ : 0;
+  const int circle = fit_.poor() ? fruitless_ % kCircles : 0;
   if (circle == 0) domain.within = kRoundAbout;
   if (circle == 1) domain.within = kNearby;
   if (circle == 0 && gyro_) domain.near_heading = estimate_.pose.heading;
-  search_.start(domain, now - (gyro_ ? kRecoveryWindow : kBlindRecoveryWindow), now);
+  search_.start(domain, begin, now);
+}
+
+// What the compass would have said at a firing, by the turns in between; nothing when no gyroscope told them.
+std::optional<double> BayesLocator::Core::compass_at(std::uint64_t firing) const {
+  if (!compass_ || compass_said_ < history_.begin()) return {};
+  double turned = 0.0;
+  for (std::uint64_t n = std::min(firing, compass_said_); n < std::max(firing, compass_said_); ++n) {
+    const Interval& interval = history_[n].interval;
+    if (n > 0 && !interval.turn_known) return {};
+    turned += interval.turn;
+  }
+  return wrap_angle(*compass_ + (firing > compass_said_ ? turned : -turned));
 }
 
 // The first search is made for a belt that hears well. If nothing at all was heard from afar, it is made again for one
 // that does not, and whichever explains the firings better is believed.
 void BayesLocator::Core::conclude_first_search() {
   if (hearing_test_ == HearingTest::due) {
-    search_.take(main_, random_, motion_);
+    search_.take(main_, random_);
     fit_.reset();
     log_evidence_keen_ = search_.log_evidence();
+    unconfirmed_ = kConfirmed;
     hearing_test_ = hears_far() ? HearingTest::done : HearingTest::running;
     if (hearing_test_ == HearingTest::running) search_.start(search_.domain(), search_.window_begin(), history_.end());
     return;
@@ -100,7 +124,7 @@ void BayesLocator::Core::conclude_first_search() {
     return;
   }
   model_ = &deafened_;
-  search_.take(main_, random_, motion_);
+  search_.take(main_, random_);
   fit_.reset();
 }
 
@@ -118,37 +142,42 @@ void BayesLocator::Core::challenge() {
   double log_main = 0.0;
   for (std::uint64_t n = search_.window_begin(); n < now; ++n) log_main += history_[n].log_main;
   const double odds = search_.log_evidence() - log_main + (search_.is_local() ? kLogFoundNear : kLogFoundFar);
-  no_search_before_ = now + kSearchPause;
+  last_search_ = now;
   ++searches_;
   if (odds < kLogHopeless) {
     search_.stop();
-    note_failed_search();
+    ++fruitless_;
     return;
   }
-  search_.take(rival_.population(), random_, motion_);
+  search_.take(rival_.population(), random_);
   rival_.begin(std::min(odds, handicap()));
   if (!options_.parts.probation) settle_probation(Rival::Verdict::accepted);
 }
 
 double BayesLocator::Core::handicap() const {
-  const bool near = failed_circles_ == 0 || !fit_.poor();
-  if (fit_.poor()) return near ? kLogNearWhenPoor : kLogFarWhenPoor;
-  return near ? kLogNear : kLogFar;
+  if (unconfirmed_ > 0) return fit_.poor() ? kLogUnconfirmedWhenPoor : kLogUnconfirmed;
+  if (!fit_.poor()) return kLogNear;
+  return fruitless_ % kCircles == 0 ? kLogNearWhenPoor : kLogFarWhenPoor;
 }
 
-void BayesLocator::Core::note_failed_search() { failed_circles_ = (failed_circles_ + 1) % kCircles; }
+// Searching again and again what has just been searched in vain costs time and, sooner or later, finds something by chance.
+std::uint64_t BayesLocator::Core::search_pause() const {
+  if (fruitless_ == 0 && last_search_ == 0) return 0;
+  if (unconfirmed_ > 0) return kUnconfirmedPause;
+  return kSearchPause << std::min(fit_.poor() ? fruitless_ / kCircles : fruitless_, kMostDoublings);
+}
 
 void BayesLocator::Core::settle_probation(Rival::Verdict verdict) {
   if (verdict == Rival::Verdict::undecided) return;
   if (verdict == Rival::Verdict::rejected) {
     rival_.dismiss();
-    note_failed_search();
-    no_search_before_ = history_.end() + kSearchPause;
+    ++fruitless_;
+    last_search_ = history_.end();
     return;
   }
   main_.swap(rival_.population());
   rival_.begin(kLogReturn);   // The old belief may yet turn out to be right.
-  failed_circles_ = 0;
+  fruitless_ = 0;
   memory_.clear();
   mapped_share_ = kUsuallyMapped;
   fit_.reset();

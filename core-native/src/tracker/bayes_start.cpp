@@ -128,7 +128,7 @@ void BayesLocator::Core::describe_ignorance() {
 void BayesLocator::Core::start_first_search() {
   const std::uint64_t now = history_.end();
   const auto pass = static_cast<std::uint64_t>(std::clamp(belt_.sensors, 8, 24));
-  if (now < pass) return;
+  if (now < pass || echoes_since(now - pass) < kFewestEchoes) return;
   hearing_test_ = HearingTest::due;
   SearchDomain domain;
   if (start_.room) domain.only_room = *start_.room;

@@ -7,7 +7,7 @@
 namespace echoway::tracker {
 namespace {
 
-constexpr double kShortMemory = 1.0 / 32.0;    // Per firing: two seconds.
+constexpr double kShortMemory = 1.0 / 64.0;    // Per firing: four seconds.
 constexpr double kShortestMemory = 1.0 / 10.0;
 constexpr double kLongMemory = 1.0 / 320.0;
 constexpr double kShareMemory = 1.0 / 160.0;

@@ -17,7 +17,6 @@ constexpr double kShortestStep = 0.25;      // Seconds between two real steps.
 constexpr double kLongestStep = 2.0;
 constexpr double kDefaultStep = 1.0;
 constexpr double kStepWithoutWalking = 0.12;   // Likelihood of a step event while standing, against walking.
-constexpr double kMostSpeedVariance = 0.25; // (m/s)^2; people walk, they do not drift ever faster.
 
 void forget_speed(Particle& p, double speed, double sigma) noexcept {
   p.speed = speed;
@@ -51,9 +50,6 @@ void predict(Particle& p, double dt, const MotionParameters& m, double pace) noe
     scale_speed_row(c, 1.0 - back);
     const double drift = m.pace_drift * std::max(pace, m.slowest_pace);
     c.ss += drift * drift * dt;
-  } else if (p.gait == Gait::unknown) {
-    c.ss += m.speed_drift * m.speed_drift * dt;
-    if (c.ss > kMostSpeedVariance) scale_speed_row(c, std::sqrt(kMostSpeedVariance / c.ss));
   }
   p.speed = std::clamp(p.speed, -m.fastest, m.fastest);
 }
@@ -206,18 +202,6 @@ void advance(Particle& p, const Interval& interval, const MotionParameters& m, d
     predict(p, dt, m, pace);
   }
   p.heading = wrap_near(p.heading);
-  const SinCos end = fast_sincos(p.heading);
-  p.facing = {end.cos, end.sin};
-}
-
-void advance_mean(Particle& p, const Interval& interval, const MotionParameters& m) noexcept {
-  const double dt = interval.seconds;
-  if (!(dt > 0.0)) return;
-  const double turn = interval.turn_known ? interval.turn - p.gyro_bias * dt : 0.0;
-  const SinCos mid = fast_sincos(p.heading + 0.5 * turn);
-  p.facing = {mid.cos, mid.sin};
-  predict(p, dt, m, p.speed);
-  p.heading = wrap_near(p.heading + turn);
   const SinCos end = fast_sincos(p.heading);
   p.facing = {end.cos, end.sin};
 }

@@ -10,7 +10,6 @@ namespace echoway::tracker {
 /// of time.
 struct MotionParameters {
   double start_speed = 0.5, start_speed_sigma = 0.30;     ///< m/s, before anything is known.
-  double speed_drift = 0.30;             ///< m/s per root second, while the gait is unknown.
   double pace_drift = 0.12;              ///< Of the pace, per root second, while walking,
   double pace_memory = 5.0;              ///< with a return to the wearer's usual pace in so many seconds.
   double stop_rate = 0.12;               ///< 1/s: walking ends,
@@ -22,7 +21,7 @@ struct MotionParameters {
   double change_seconds = 0.20;          ///< Of walking that a start or stop takes or gives.
   double standing_sigma = 0.03;          ///< m/s: shuffling.
   double sway = 0.04;                    ///< m per root second, any direction: gait, side steps.
-  double gyro_bias_sigma = degrees(1.5); ///< rad/s, of an unknown phone.
+  double gyro_bias_sigma = degrees(0.8); ///< rad/s, as phones come out of their own calibration.
   double gyro_bias_drift = degrees(0.05);///< rad/s per root second.
   double gyro_noise = degrees(0.8);      ///< rad per root second.
   // Without a gyroscope. Rates in 1/s, speeds in rad/s.
@@ -80,8 +79,5 @@ class HintIntegrator {
 
 /// Moves `particle` through `interval`, with noise from `random`; `pace` is the wearer's usual walking speed.
 void advance(Particle& particle, const Interval& interval, const MotionParameters& parameters, double pace, Random& random) noexcept;
-
-/// Moves the mean of a particle of unknown gait, without drawing noise: the search replays firings with it.
-void advance_mean(Particle& particle, const Interval& interval, const MotionParameters& parameters) noexcept;
 
 }  // namespace echoway::tracker

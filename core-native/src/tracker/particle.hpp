@@ -18,7 +18,6 @@ struct Covariance {
 };
 
 enum class Gait : std::uint8_t {
-  unknown,    ///< Anything between standing and walking: candidates of the search.
   standing,   ///< Perhaps turning on the spot.
   walking,    ///< Along the heading, at a pace that changes slowly.
   away,       ///< On stairs or in an elevator: in no room.
@@ -29,7 +28,7 @@ enum class Gait : std::uint8_t {
 struct Particle {
   double weight = 0.0;
   RoomIndex room = kNoRoom;
-  Gait gait = Gait::unknown;
+  Gait gait = Gait::standing;
   Vec2 position{};           ///< Mean, in the room's frame.
   double speed = 0.0;        ///< Mean, along the heading.
   double log_scale = 0.0;    ///< Mean of ln(measured range / true range).

@@ -11,6 +11,7 @@ namespace echoway::tracker {
 namespace {
 
 constexpr double kBodyClearance = 0.12;   // Nobody's axis comes nearer to a wall, metres.
+constexpr double kFlattening = 0.5;       // Power of the sweep's likelihoods by which its survivors are drawn: it is coarse.
 constexpr double kNowhere = -1e300;
 constexpr double kStandingShare = 0.4;    // Of wearers who do not know where they are.
 constexpr double kDrawnSpeedSigma = 0.15; // Metres a second.
@@ -19,28 +20,11 @@ constexpr double kRefinedSigma = 0.25;    // and of one drawn from it.
 
 bool less_likely_on_top(double a, double b) noexcept { return a > b; }
 
-double replay(Particle& p, const Record& record, const Search::Tools& tools, bool coarse) noexcept {
-  advance_mean(p, record.interval, tools.motion);
-  const double bearing = tools.belt.bearing(record.sensor);
-  const SinCos b = fast_sincos(bearing);
-  Shot shot;
-  shot.bearing = {b.cos, b.sin};
-  shot.sensor = record.sensor;
-  shot.bearing_rad = bearing;
-  shot.radius = tools.belt.radius_m;
-  shot.range = record.range;
-  shot.echo = record.echo;
-  shot.coarse = coarse;
-  shot.trust = record.trust;
-  const double density = record.trust > 0.0 ? assimilate(p, shot, tools.model, tools.scene).density : 1.0;
-  return record.novelty * fast_log(density) + fast_log(std::max(1e-9, settle_on_floor(p, tools.scene)));
-}
-
 }  // namespace
 
-Search::Search(const scene::Scene& scene, const Parameters& parameters) : parameters_(parameters) {
+Search::Search(const scene::Scene& scene, const Parameters& parameters)
+    : parameters_(parameters), refinement_(parameters.refined) {
   survivors_.resize(parameters_.keep);
-  refined_.resize(parameters_.refined);
   for (std::size_t r = 0; r < scene.room_count(); ++r) {
     const auto& room = scene.room(static_cast<RoomIndex>(r));
     area_ += (room.high.x - room.low.x) * (room.high.y - room.low.y);
@@ -58,12 +42,12 @@ void Search::start(SearchDomain domain, std::uint64_t begin, std::uint64_t end) 
   end_ = end;
   room_ = domain.only_room == kNoRoom ? 0 : domain.only_room;
   columns_ = 0;
-  tried_ = count_ = refined_count_ = cursor_ = 0;
+  tried_ = count_ = swept_ = 0;
   best_.fill(kNowhere);
   turns_ = heading_is_known() ? 5 : static_cast<int>(std::lround(kTwoPi / parameters_.heading_step));
 }
 
-void Search::enter_room(const Tools& tools) noexcept {
+void Search::enter_room(const SearchTools& tools) noexcept {
   const auto& room = tools.scene.room(room_);
   centre_ = domain_.heading;
   if (domain_.level_heading) centre_ = *domain_.level_heading - tools.building.room(room_).frame.heading;
@@ -80,7 +64,7 @@ void Search::enter_room(const Tools& tools) noexcept {
 
 // Whether any of the current room lies within the domain, by its bounding box. The levels above and below count as near:
 // somebody may have taken the stairs unnoticed.
-bool Search::reachable(const Tools& tools) const noexcept {
+bool Search::reachable(const SearchTools& tools) const noexcept {
   if (!domain_.within) return true;
   const auto& room = tools.scene.room(room_);
   const Room& here = tools.building.room(room_);
@@ -90,7 +74,7 @@ bool Search::reachable(const Tools& tools) const noexcept {
   return distance(centre, closest) <= *domain_.within;
 }
 
-bool Search::worth_trying(const Tools& tools, Vec2 position) const noexcept {
+bool Search::worth_trying(const SearchTools& tools, Vec2 position) const noexcept {
   if (domain_.within) {
     const Room& near = tools.building.room(domain_.near_room);
     const Room& here = tools.building.room(room_);
@@ -100,7 +84,7 @@ bool Search::worth_trying(const Tools& tools, Vec2 position) const noexcept {
   return floor.contains(position) && floor.distance(position) > kBodyClearance;
 }
 
-bool Search::next_candidate(const Tools& tools, Vec2& position, double& heading) noexcept {
+bool Search::next_candidate(const SearchTools& tools, Vec2& position, double& heading) noexcept {
   for (;;) {
     if (columns_ == 0) {
       if (room_ >= static_cast<RoomIndex>(tools.scene.room_count())) return false;
@@ -145,7 +129,7 @@ void Search::keep(const Survivor& survivor) noexcept {
   }
 }
 
-Particle Search::candidate(const Tools& tools, RoomIndex room, Vec2 position, double heading, double sigma) const noexcept {
+Particle Search::candidate(const SearchTools& tools, RoomIndex room, Vec2 position, double heading, double sigma) const noexcept {
   Particle p;
   p.room = room;
   p.position = position;
@@ -161,21 +145,49 @@ Particle Search::candidate(const Tools& tools, RoomIndex room, Vec2 position, do
   return p;
 }
 
-std::size_t Search::try_candidate(const Tools& tools, Vec2 position, double heading) noexcept {
-  Particle p = candidate(tools, room_, position, heading, kCellSigma * spacing_);
-  Survivor s{room_, position, heading, 0.0};
-  std::size_t spent = 0;
-  for (std::uint64_t n = begin_; n < end_; ++n) {
-    const std::size_t at = static_cast<std::size_t>(n - begin_);
-    s.log_likelihood += replay(p, from_begin(tools.history, n), tools, true);
-    ++spent;
-    if (at < kCheckpoints) {
-      if (s.log_likelihood < best_[at] - parameters_.give_up) return spent;
-      best_[at] = std::max(best_[at], s.log_likelihood);
-    }
+// The way since the window began, by what the gyroscope says and at one metre a second: the same for all candidates.
+void Search::reckon(const SearchTools& tools) noexcept {
+  const std::uint64_t end = std::min(end_, begin_ + kMostSwept);
+  swept_ = 0;
+  double turn = 0.0, seconds = 0.0;
+  Vec2 way{};
+  for (std::uint64_t n = begin_; n < end; ++n) {
+    const Record record = from_begin(tools.history, n);
+    const double dt = record.interval.seconds;
+    const double turned = record.interval.turn_known ? record.interval.turn - tools.gyro_bias * dt : 0.0;
+    const SinCos mid = fast_sincos(wrap_near(turn + 0.5 * turned));
+    way = way + dt * Vec2{mid.cos, mid.sin};
+    turn = wrap_near(turn + turned);
+    seconds += dt;
+    if (record.trust > 0.0) legs_[swept_++] = {way, turn + tools.belt.bearing(record.sensor), seconds, record.range, record.novelty, record.echo};
   }
-  keep(s);
-  return spent;
+}
+
+double Search::log_likelihood(const SearchTools& tools, const Leg& leg, const SinCos& facing, double heading) noexcept {
+  Offset offset;
+  offset.per_speed = {facing.cos * leg.way.x - facing.sin * leg.way.y, facing.sin * leg.way.x + facing.cos * leg.way.y};
+  offset.moved = tools.motion.start_speed * offset.per_speed;
+  offset.speed_variance = tools.motion.start_speed_sigma * tools.motion.start_speed_sigma;
+  offset.variance = kCellSigma * kCellSigma * spacing_ * spacing_ + tools.motion.sway * tools.motion.sway * leg.seconds;
+  offset.log_scale = tools.log_scale;
+  offset.log_scale_variance = tools.log_scale_sigma * tools.log_scale_sigma;
+  const Panorama::Sight& sight = panorama_.towards(heading + leg.bearing, tools.belt.radius_m, tools.model, tools.scene);
+  return leg.novelty * fast_log(density_of(sight, leg.echo, leg.range, offset, tools.model));
+}
+
+std::size_t Search::try_candidate(const SearchTools& tools, Vec2 position, double heading) noexcept {
+  if (turn_ == 1) panorama_.stand_at(room_, position);
+  const SinCos facing = fast_sincos(wrap_near(heading));
+  Survivor s{room_, position, heading, 0.0};
+  const std::size_t looks = panorama_.looks();
+  std::size_t n = 0;
+  for (; n < swept_; ++n) {
+    s.log_likelihood += log_likelihood(tools, legs_[n], facing, heading);
+    if (s.log_likelihood < best_[n] - parameters_.give_up) break;
+    best_[n] = std::max(best_[n], s.log_likelihood);
+  }
+  if (n == swept_) keep(s);
+  return n + parameters_.look_cost * (panorama_.looks() - looks);
 }
 
 Record Search::from_begin(const History& history, std::uint64_t number) const noexcept {
@@ -184,8 +196,9 @@ Record Search::from_begin(const History& history, std::uint64_t number) const no
   return record;
 }
 
-bool Search::work(const Tools& tools, Random& random) noexcept {
+bool Search::work(const SearchTools& tools, Random& random) noexcept {
   std::size_t spent = 0;
+  if (swept_ == 0) reckon(tools);
   while (phase_ == Phase::sweeping && spent < budget()) {
     Vec2 position;
     double heading = 0.0;
@@ -199,7 +212,10 @@ bool Search::work(const Tools& tools, Random& random) noexcept {
     spent += try_candidate(tools, position, heading);
     spent += parameters_.cell_cost * (tools.scene.cells_compiled() - compiled);
   }
-  return phase_ == Phase::refining && spent < budget() && refine(tools, budget() - spent);
+  if (phase_ != Phase::refining || spent >= budget()) return false;
+  if (!refinement_.work(tools, random, (budget() - spent) / parameters_.replay_cost + 1)) return false;
+  finish(tools);
+  return true;
 }
 
 // Systematic resampling keeps neighbours' joint weight to within one particle when neighbours stand side by side (Kitagawa
@@ -210,53 +226,37 @@ void Search::in_order_of_place() noexcept {
   });
 }
 
-// Survivors are drawn by the root of their likelihood: a coarse one is not to be trusted fully.
-void Search::draw_from_survivors(const Tools& tools, Random& random) noexcept {
-  cursor_ = refined_count_ = 0;
+void Search::draw_from_survivors(const SearchTools& tools, Random& random) noexcept {
+  refinement_.begin(begin_);
   if (count_ == 0) return;
   in_order_of_place();
   double best = kNowhere;
   for (std::size_t i = 0; i < count_; ++i) best = std::max(best, survivors_[i].log_likelihood);
-  const auto flattened = [&](std::size_t i) { return fast_exp(0.5 * (survivors_[i].log_likelihood - best)); };
+  const auto flattened = [&](std::size_t i) { return fast_exp(kFlattening * (survivors_[i].log_likelihood - best)); };
   double sum = 0.0;
   for (std::size_t i = 0; i < count_; ++i) sum += flattened(i);
-  refined_count_ = is_local() ? parameters_.refined_locally : parameters_.refined;
-  const double step = sum / static_cast<double>(refined_count_);
+  const std::size_t anywhere = heading_is_known() ? parameters_.refined_facing : parameters_.refined;
+  const std::size_t drawn = is_local() ? parameters_.refined_locally : anywhere;
+  const double step = sum / static_cast<double>(drawn);
   double at = random.uniform() * step;
   double reached = flattened(0);
   std::size_t i = 0;
-  for (std::size_t n = 0; n < refined_count_; ++n, at += step) {
+  for (std::size_t n = 0; n < drawn; ++n, at += step) {
     while (reached < at && i + 1 < count_) reached += flattened(++i);
     const Survivor& s = survivors_[i];
     const Vec2 off{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5)};
     const double heading = s.heading + random.uniform(-0.5, 0.5) * heading_cell();
-    refined_[n].particle = candidate(tools, s.room, s.position + spacing_ * off, heading, kRefinedSigma * spacing_);
-    Particle& p = refined_[n].particle;
+    Particle p = candidate(tools, s.room, s.position + spacing_ * off, heading, kRefinedSigma * spacing_);
     p.gait = random.uniform() < kStandingShare ? Gait::standing : Gait::walking;
     p.speed = p.gait == Gait::standing ? 0.0 : tools.motion.start_speed + tools.motion.start_speed_sigma * cheap_normal(random);
     const double sigma = p.gait == Gait::standing ? tools.motion.standing_sigma : kDrawnSpeedSigma;
     p.cov.ss = sigma * sigma;
     // Prior over proposal.
-    refined_[n].log_weight = fast_log(sum) - 0.5 * (s.log_likelihood - best);
-    refined_[n].next = begin_;
+    p.weight = fast_exp(-kFlattening * (s.log_likelihood - best)) * step;
+    p.gyro_bias += tools.motion.gyro_bias_sigma * cheap_normal(random);
+    refinement_.population().push(p);
   }
-}
-
-bool Search::refine(const Tools& tools, std::size_t budget) noexcept {
-  const auto bring_up = [&](Refined& r) {
-    std::size_t spent = 0;
-    for (; r.next < tools.history.end(); ++r.next, ++spent) {
-      r.log_weight += replay(r.particle, from_begin(tools.history, r.next), tools, false);
-    }
-    return spent;
-  };
-  std::size_t spent = 0;
-  for (; cursor_ < refined_count_ && spent < budget; ++cursor_) spent += bring_up(refined_[cursor_]);
-  if (cursor_ < refined_count_) return false;
-  // Those that were brought up in earlier slices may lag a few firings behind.
-  for (std::size_t i = 0; i < refined_count_; ++i) bring_up(refined_[i]);
-  finish(tools);
-  return true;
+  log_evidence_ = 0.0;
 }
 
 // A tracker that lost its hold is most often not far off; being carried elsewhere is rare.
@@ -274,32 +274,20 @@ double Search::log_prior(const Particle& p, const Building& building) const noex
   return fast_log(kNearShare * nearness + 1.0 - kNearShare);
 }
 
-void Search::finish(const Tools& tools) noexcept {
+void Search::finish(const SearchTools& tools) noexcept {
   phase_ = Phase::done;
-  double best = kNowhere;
-  for (std::size_t i = 0; i < refined_count_; ++i) {
-    refined_[i].log_weight += log_prior(refined_[i].particle, tools.building);
-    best = std::max(best, refined_[i].log_weight);
-  }
-  double sum = 0.0;
-  for (std::size_t i = 0; i < refined_count_; ++i) {
-    refined_[i].particle.weight = fast_exp(refined_[i].log_weight - best);
-    sum += refined_[i].particle.weight;
-  }
-  const double drawn = static_cast<double>(std::max<std::size_t>(refined_count_, 1));
-  log_evidence_ = sum > 0.0 ? best + fast_log(sum / drawn) - fast_log(static_cast<double>(std::max<std::size_t>(tried_, 1))) : kNowhere;
+  const auto particles = refinement_.population().particles();
+  for (Particle& p : particles) p.weight *= fast_exp(log_prior(p, tools.building));
+  const double tried = static_cast<double>(std::max<std::size_t>(tried_, 1));
+  log_evidence_ = refinement_.log_evidence() + fast_log(refinement_.population().normalize()) - fast_log(tried);
 }
 
-void Search::take(Population& out, Random& random, const MotionParameters& motion) noexcept {
+void Search::take(Population& out, Random& random) noexcept {
   phase_ = Phase::idle;
+  Population& found = refinement_.population();
+  found.resample(std::min(found.size(), out.capacity()), random);
   out.clear();
-  for (std::size_t i = 0; i < refined_count_; ++i) out.push(refined_[i].particle);
-  if (out.empty()) return;
-  out.normalize();
-  out.resample(out.size(), random);
-  for (Particle& p : out.particles()) {
-    p.gyro_bias += motion.gyro_bias_sigma * cheap_normal(random);
-  }
+  for (const Particle& p : found.particles()) out.push(p);
 }
 
 }  // namespace echoway::tracker

@@ -4,8 +4,11 @@
 #include <vector>
 
 #include "tracker/history.hpp"
+#include "tracker/elementary.hpp"
 #include "tracker/likelihood.hpp"
+#include "tracker/panorama.hpp"
 #include "tracker/population.hpp"
+#include "tracker/refinement.hpp"
 
 namespace echoway::tracker {
 
@@ -34,13 +37,16 @@ class Search {
     double few_candidates = 60000;       ///< ... so many.
     double heading_step = degrees(10.0);
     double give_up = 13.0;               ///< Log likelihood behind the best at the same firing.
-    std::size_t keep = 1024;             ///< Survivors of the sweep.
+    std::size_t keep = 4000;             ///< Survivors of the sweep.
     std::size_t refined = 2400;          ///< Particles drawn from them ...
-    std::size_t refined_locally = 600;   ///< ... and of a search that only looks about a place.
-    std::size_t budget = 14000;          ///< Likelihoods evaluated per slice ...
-    std::size_t second_budget = 12000;   ///< The same while some place is believed in already,
-    std::size_t local_budget = 4000;     ///< and of a search that only looks about it.
-    std::size_t cell_cost = 150;         ///< ... of which a cell that must first be compiled costs this many.
+    std::size_t refined_facing = 800;    ///< ... fewer when it is known where the wearer faces,
+    std::size_t refined_locally = 600;   ///< and of a search that only looks about a place.
+    std::size_t budget = 80000;          ///< Readings looked up in a panorama per slice ...
+    std::size_t second_budget = 60000;   ///< The same while some place is believed in already,
+    std::size_t local_budget = 20000;    ///< and of a search that only looks about it.
+    std::size_t look_cost = 8;           ///< ... of which a direction that must first be worked out costs so many,
+    std::size_t replay_cost = 12;        ///< a firing that is replayed exactly
+    std::size_t cell_cost = 800;         ///< and a cell that must first be compiled.
     std::size_t most_candidates = 1500000;
   };
 
@@ -51,22 +57,12 @@ class Search {
   void stop() noexcept { phase_ = Phase::idle; }
   [[nodiscard]] bool running() const noexcept { return phase_ == Phase::sweeping || phase_ == Phase::refining; }
 
-  struct Tools {
-    const EchoModel& model;
-    scene::Scene& scene;
-    const MotionParameters& motion;
-    const BeltConfig& belt;
-    const History& history;
-    const Building& building;
-    double log_scale;                    ///< What is known of the sound-speed scale.
-    double log_scale_sigma;
-    double gyro_bias;
-  };
+  using Tools = SearchTools;
   /// Works for one slice. Returns true when what was found stands at the present and may be taken.
   bool work(const Tools& tools, Random& random) noexcept;
 
   /// Puts what was found into `out`, equally weighted; at most its capacity.
-  void take(Population& out, Random& random, const MotionParameters& motion) noexcept;
+  void take(Population& out, Random& random) noexcept;
   [[nodiscard]] const SearchDomain& domain() const noexcept { return domain_; }
   [[nodiscard]] bool is_local() const noexcept { return domain_.within.has_value(); }
   /// Log of the mean likelihood of the window's firings (up to the present) over the whole domain.
@@ -81,12 +77,6 @@ class Search {
     double heading = 0.0;
     double log_likelihood = 0.0;
   };
-  struct Refined {
-    Particle particle;
-    double log_weight = 0.0;
-    std::uint64_t next = 0;              ///< First firing not yet replayed.
-  };
-
   [[nodiscard]] bool heading_is_known() const noexcept {
     return domain_.heading || domain_.near_heading || domain_.level_heading;
   }
@@ -96,11 +86,21 @@ class Search {
   [[nodiscard]] bool worth_trying(const Tools& tools, Vec2 position) const noexcept;
   [[nodiscard]] Particle candidate(const Tools& tools, RoomIndex room, Vec2 position, double heading, double sigma) const noexcept;
   [[nodiscard]] Record from_begin(const History& history, std::uint64_t number) const noexcept;
+  /// One firing as the sweep sees it.
+  struct Leg {
+    Vec2 way{};                          ///< From the window's begin, in the heading's frame then, at 1 m/s.
+    double bearing = 0.0;                ///< Of the sensor, from the heading at the window's begin.
+    double seconds = 0.0;
+    double range = 0.0;
+    double novelty = 1.0;
+    bool echo = false;
+  };
+  void reckon(const Tools& tools) noexcept;
+  [[nodiscard]] double log_likelihood(const Tools& tools, const Leg& leg, const SinCos& facing, double heading) noexcept;
   [[nodiscard]] std::size_t try_candidate(const Tools& tools, Vec2 position, double heading) noexcept;
   void keep(const Survivor& survivor) noexcept;
   void in_order_of_place() noexcept;
   void draw_from_survivors(const Tools& tools, Random& random) noexcept;
-  bool refine(const Tools& tools, std::size_t budget) noexcept;
   [[nodiscard]] double heading_cell() const noexcept {
     return heading_is_known() ? domain_.heading_sigma : parameters_.heading_step;
   }
@@ -127,14 +127,15 @@ class Search {
   std::optional<double> centre_;         ///< Heading about which to look, in the current room's frame.
   Vec2 origin_{};
 
-  static constexpr std::size_t kCheckpoints = 24;
-  std::array<double, kCheckpoints> best_{};
+  static constexpr std::size_t kMostSwept = 24;
+  std::array<Leg, kMostSwept> legs_{};
+  std::size_t swept_ = 0;
+  std::array<double, kMostSwept> best_{};   ///< Log likelihood of the best candidate up to each leg.
+  Panorama panorama_;
   std::size_t tried_ = 0;
   std::vector<Survivor> survivors_;      ///< A heap, the least likely on top, while sweeping.
   std::size_t count_ = 0;
-  std::vector<Refined> refined_;
-  std::size_t refined_count_ = 0;
-  std::size_t cursor_ = 0;
+  Refinement refinement_;
   double log_evidence_ = 0.0;
 };
 

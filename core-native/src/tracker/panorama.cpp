@@ -1,0 +1,68 @@
+#include "tracker/panorama.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracker/elementary.hpp"
+
+namespace echoway::tracker {
+namespace {
+
+constexpr double kInvSqrtTwoPi = 0.3989422804014327;
+constexpr double kGate2 = 30.0;            // Squared innovations beyond this many variances weigh nothing.
+constexpr double kSmallest = 1e-12;        // A density never falls below this.
+
+}  // namespace
+
+void Panorama::stand_at(RoomIndex room, Vec2 position) noexcept {
+  room_ = room;
+  position_ = position;
+  known_.fill(false);
+}
+
+const Panorama::Sight& Panorama::towards(double angle, double radius, const EchoModel& model, scene::Scene& scene) noexcept {
+  const double turns = angle * (1.0 / kTwoPi);
+  const double part = turns - std::floor(turns);
+  const auto at = static_cast<std::size_t>(part * kDirections + 0.5) % kDirections;
+  Sight& sight = sights_[at];
+  if (known_[at]) return sight;
+  Particle p;
+  p.room = room_;
+  p.position = position_;
+  p.heading = wrap_near(kTwoPi * static_cast<double>(at) / kDirections);
+  const SinCos f = fast_sincos(p.heading);
+  p.facing = {f.cos, f.sin};
+  Shot shot;
+  shot.radius = radius;
+  shot.coarse = true;
+  sight.echoes = expect(p, shot, model, scene);
+  sight.silence = 1.0;
+  for (int j = 0; j < sight.echoes.count; ++j) sight.silence *= 1.0 - sight.echoes.echo[static_cast<std::size_t>(j)].chance;
+  known_[at] = true;
+  ++looks_;
+  return sight;
+}
+
+double density_of(const Panorama::Sight& sight, bool echo, double range, const Offset& offset, const EchoModel& model) noexcept {
+  const double heard = 1.0 - model.deaf();
+  if (!echo) return model.deaf() + heard * model.quiet() * sight.silence;
+  double survival = 1.0, survival_at_range = 1.0, explained = 0.0;
+  for (int j = 0; j < sight.echoes.count; ++j) {
+    const ExpectedEcho& e = sight.echoes.echo[static_cast<std::size_t>(j)];
+    const double expected = e.range + dot(e.gradient, offset.moved);
+    const double innovation = range - expected * (1.0 + offset.log_scale);
+    const double along = dot(e.gradient, offset.per_speed);
+    const double variance = model.variance(e.range) + e.extra_variance + offset.variance * squared_norm(e.gradient) +
+                            offset.speed_variance * along * along + offset.log_scale_variance * e.range * e.range;
+    const double innovation2 = innovation * innovation;
+    if (innovation2 < kGate2 * variance) {
+      explained += survival * e.chance * kInvSqrtTwoPi / std::sqrt(variance) * fast_exp(-0.5 * innovation2 / variance);
+    }
+    survival *= 1.0 - e.chance;
+    if (expected < range) survival_at_range = survival;
+  }
+  const double total = heard * (model.quiet() * explained + survival_at_range * model.unexplained(range)) + model.ghost_density();
+  return std::max(kSmallest, total);
+}
+
+}  // namespace echoway::tracker

@@ -1,0 +1,75 @@
+#include "tracker/refinement.hpp"
+
+#include <algorithm>
+
+#include "tracker/elementary.hpp"
+#include "tracker/floor.hpp"
+
+namespace echoway::tracker {
+namespace {
+
+constexpr std::uint64_t kRound = 12;              // Firings between looks at the weights.
+constexpr std::size_t kParticlesPerCell = 14;
+constexpr std::size_t kFewest = 400;
+constexpr double kSpread = degrees(1.0);          // Radians by which copies of a particle part.
+
+// Replays one firing; `walks` when the way since the firing before counts.
+void replay(Particle& p, const Record& record, bool walks, const SearchTools& tools, Random& random) noexcept {
+  if (walks) advance(p, record.interval, tools.motion, tools.pace, random);
+  if (record.trust > 0.0) {
+    const double bearing = tools.belt.bearing(record.sensor);
+    const SinCos b = fast_sincos(bearing);
+    Shot shot;
+    shot.bearing = {b.cos, b.sin};
+    shot.sensor = record.sensor;
+    shot.bearing_rad = bearing;
+    shot.radius = tools.belt.radius_m;
+    shot.range = record.range;
+    shot.echo = record.echo;
+    shot.trust = record.trust;
+    const double density = assimilate(p, shot, tools.model, tools.scene).density;
+    p.weight *= record.novelty < 1.0 ? fast_exp(record.novelty * fast_log(density)) : density;
+  }
+  p.weight *= std::max(1e-9, settle_on_floor(p, tools.scene));
+}
+
+}  // namespace
+
+void Refinement::begin(std::uint64_t first) noexcept {
+  population_.clear();
+  first_ = reached_ = round_end_ = first;
+  cursor_ = 0;
+  log_evidence_ = 0.0;
+}
+
+bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budget) noexcept {
+  std::size_t spent = 0;
+  while (spent < budget) {
+    if (cursor_ == 0) {
+      if (reached_ == tools.history.end()) return true;
+      round_end_ = std::min(reached_ + kRound, tools.history.end());
+    }
+    const auto particles = population_.particles();
+    for (; cursor_ < particles.size() && spent < budget; ++cursor_) {
+      for (std::uint64_t n = reached_; n < round_end_; ++n, ++spent) {
+        replay(particles[cursor_], tools.history[n], n != first_, tools, random);
+      }
+    }
+    if (cursor_ < particles.size()) return false;
+    close_round(random);
+  }
+  return reached_ == tools.history.end();
+}
+
+// Particles where the first firings point to make room for what the later ones need.
+void Refinement::close_round(Random& random) noexcept {
+  reached_ = round_end_;
+  cursor_ = 0;
+  log_evidence_ += fast_log(population_.normalize());
+  const double n = static_cast<double>(population_.size());
+  if (population_.effective_size() > 0.5 * n) return;
+  population_.resample(std::clamp(kParticlesPerCell * population_.occupied_cells(), kFewest, population_.size()), random);
+  for (Particle& p : population_.particles()) p.heading = wrap_near(p.heading + kSpread * cheap_normal(random));
+}
+
+}  // namespace echoway::tracker

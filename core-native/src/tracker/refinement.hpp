@@ -1,0 +1,50 @@
+#pragma once
+
+#include "tracker/history.hpp"
+#include "tracker/likelihood.hpp"
+#include "tracker/population.hpp"
+
+namespace echoway::tracker {
+
+/// What a search knows besides its domain.
+struct SearchTools {
+  const EchoModel& model;
+  scene::Scene& scene;
+  const MotionParameters& motion;
+  const BeltConfig& belt;
+  const History& history;
+  const Building& building;
+  double log_scale;                    ///< What is known of the sound-speed scale.
+  double log_scale_sigma;
+  double gyro_bias;
+  double pace;                         ///< The wearer's usual one, m/s.
+};
+
+/// Brings particles up to the present through past firings, as the tracker itself would have: a particle filter that runs
+/// behind and catches up, cut into slices.
+class Refinement {
+ public:
+  explicit Refinement(std::size_t capacity) : population_(capacity) {}
+
+  /// Empties it; particles pushed now stand just before firing number `first` of the history.
+  void begin(std::uint64_t first) noexcept;
+  [[nodiscard]] Population& population() noexcept { return population_; }
+
+  /// Replays about `budget` firings of single particles. True when all of them have heard everything.
+  bool work(const SearchTools& tools, Random& random, std::size_t budget) noexcept;
+
+  /// Log of what the weights pushed added up to, times the mean likelihood of the firings since.
+  [[nodiscard]] double log_evidence() const noexcept { return log_evidence_; }
+
+ private:
+  void close_round(Random& random) noexcept;
+
+  Population population_;
+  std::uint64_t first_ = 0;            ///< Its interval, from the firing before, is not walked.
+  std::uint64_t reached_ = 0;          ///< All particles have heard the firings before this one,
+  std::uint64_t round_end_ = 0;        ///< and those before the cursor the ones before this.
+  std::size_t cursor_ = 0;
+  double log_evidence_ = 0.0;
+};
+
+}  // namespace echoway::tracker
