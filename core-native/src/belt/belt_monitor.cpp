@@ -32,6 +32,7 @@ SensorState to_state(SensorSuspicion::Kind kind) {
 }  // namespace
 
 void MinuteCounter::advance(double time_s) noexcept {
+  if (!std::isfinite(time_s)) return;
   // Clamped so that a clock that jumps cannot overflow; a day ahead empties the minute all the same.
   const auto second = static_cast<std::int64_t>(std::clamp(std::floor(time_s), -1e15, 1e15));
   if (second < newest_second_ - kBins) {
@@ -61,7 +62,7 @@ void MinuteCounter::add(double time_s) noexcept {
 }
 
 int MinuteCounter::total(double now_s) noexcept {
-  if (std::isfinite(now_s)) advance(now_s);
+  advance(now_s);
   return total_;
 }
 
@@ -90,6 +91,8 @@ void BeltMonitor::on_firing(const Firing& firing) {
   Watch& watch = watches_[sensor];
   SensorHealth& health = health_.sensors[sensor];
   watch.firings.add(firing.time_s);
+  // Both see every time, so that a clock that is set back empties both.
+  watch.echoes.advance(firing.time_s);
   if (firing.has_echo()) watch.echoes.add(firing.time_s);
   watch.covered_run = firing.has_echo() && firing.range_m < kCoveredRange ? watch.covered_run + 1 : 0;
   health.last_range_m = firing.range_m;

@@ -16,11 +16,12 @@ namespace echoway {
 class MinuteCounter {
  public:
   void add(double time_s) noexcept;
+  /// It is now `time_s`, and nothing happened.
+  void advance(double time_s) noexcept;
   [[nodiscard]] int total(double now_s) noexcept;
 
  private:
   static constexpr int kBins = 60;
-  void advance(double time_s) noexcept;
 
   std::array<std::uint16_t, kBins> bins_{};
   std::int64_t newest_second_ = -1;
