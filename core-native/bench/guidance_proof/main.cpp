@@ -46,13 +46,14 @@ struct Files {
   bool diary = false;
 };
 
-/// A way of which only the ends are kept free.
+/// A way of which only the ends are kept free: two stretches of no length, with stairs to each, which lie nowhere.
 Route ends_of(const Route& way) {
   Route ends;
   for (const Waypoint& w : {way.waypoints.front(), way.waypoints.back()}) {
-    ends.waypoints.push_back(w);
-    ends.waypoints.push_back(w);
-    ends.waypoints.back().kind = WaypointKind::link_to;  // nothing lies between the two
+    for (const WaypointKind kind : {WaypointKind::link_to, WaypointKind::turn}) {
+      ends.waypoints.push_back(w);
+      ends.waypoints.back().kind = kind;
+    }
   }
   return ends;
 }
