@@ -448,8 +448,9 @@ bool Follower::arrive(const View& view, Announcer& voice) {
   Cue cue = goal_cue(CueKind::arrived);
   // Its first word is enough to stop at.
   const double lead = this->lead(view, make_cue(CueKind::stop));
-  // Said early only to somebody who walks straight up to it.
-  const bool approaching = view.walking && view.now >= hold_until_ && std::abs(view.off) <= config_->ahead_rad;
+  // Said early only to somebody who walks straight up to it, from a place that is well known.
+  constexpr double kWellKnown = 0.3;  // m
+  const bool approaching = view.walking && e.sigma_m <= kWellKnown && view.now >= hold_until_ && std::abs(view.off) <= config_->ahead_rad;
   const double near = approaching ? std::clamp(lead, config_->arrive_m, 1.6 * config_->arrive_m) : config_->arrive_m;
   const bool beside = distance(goal.at, e.pose.position) <= near &&
                       router_->space(e.room).clear_between(e.pose.position, goal.at, 0.1);
@@ -471,7 +472,7 @@ bool Follower::linger(const View& view) {
   constexpr double kSettle = 4.0;
   if (view.now - arrived_at_ < kSettle) return true;
   const bool there = view.remaining < 1.5 * config_->arrive_m;
-  if (there && !view.walking) stop();
+  if (there && !view.walking && !view.vague) stop();
   if (there || (view.walking && view.remaining < 2.0 * config_->arrive_m)) return true;
   arrived_at_ = -1.0;
   straight_due_ = true;

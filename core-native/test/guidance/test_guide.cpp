@@ -138,6 +138,16 @@ TEST_F(GuideTest, SaysArrivedAndWhereThePlaceIs) {
   EXPECT_FALSE(guide.has_destination());
 }
 
+TEST_F(GuideTest, LeadsOnWhoWasTakenToHaveArrivedOnAVaguePlace) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  Estimate vague = at(0, 1, {3.5, 4.0}, 90.0);
+  vague.sigma_m = 0.75;
+  EXPECT_THAT(kinds(wearer.stay(3.0, vague)), Contains(CueKind::arrived));
+  (void)wearer.stay(6.0, vague);
+  EXPECT_TRUE(guide.has_destination());
+  EXPECT_THAT(kinds(wearer.stand(8.0, 1, {1.5, 2.5}, 180.0)), Contains(CueKind::turn)) << "they are elsewhere after all";
+}
+
 TEST_F(GuideTest, LostItSaysSoAndNothingElseUntilItIsFound) {
   ASSERT_TRUE(guide.set_destination("Lectern"));
   (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
