@@ -444,7 +444,9 @@ Cue Follower::goal_cue(CueKind kind) const {
 bool Follower::arrive(const View& view, Announcer& voice) {
   const Waypoint& goal = route_.waypoints.back();
   const Estimate& e = *view.estimate;
-  if (goal.room != e.room) return false;
+  // Before a doorway the room flickers: who is to go just inside is not there yet.
+  constexpr double kSureOfRoom = 0.85;
+  if (goal.room != e.room || (arrived_at_ < 0.0 && e.room_probability < kSureOfRoom)) return false;
   Cue cue = goal_cue(CueKind::arrived);
   // Its first word is enough to stop at.
   const double lead = this->lead(view, make_cue(CueKind::stop));

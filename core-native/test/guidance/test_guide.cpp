@@ -138,6 +138,14 @@ TEST_F(GuideTest, SaysArrivedAndWhereThePlaceIs) {
   EXPECT_FALSE(guide.has_destination());
 }
 
+TEST_F(GuideTest, NobodyHasArrivedInARoomThatTheyMayNotHaveEntered) {
+  ASSERT_TRUE(guide.set_destination({Goal::Kind::spot, 0, {1, {0.7, 2.5}}}));
+  Estimate before = at(0, 1, {0.2, 2.5}, 0.0);
+  before.room_probability = 0.7;
+  EXPECT_THAT(kinds(wearer.stay(6.0, before)), Not(Contains(CueKind::arrived)));
+  EXPECT_THAT(kinds(wearer.stand(3.0, 1, {0.5, 2.5}, 0.0)), Contains(CueKind::arrived));
+}
+
 TEST_F(GuideTest, LeadsOnWhoWasTakenToHaveArrivedOnAVaguePlace) {
   ASSERT_TRUE(guide.set_destination("Lectern"));
   Estimate vague = at(0, 1, {3.5, 4.0}, 90.0);
