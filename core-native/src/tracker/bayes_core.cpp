@@ -26,6 +26,8 @@ constexpr double kSurelyUnmapped = 0.6;
 constexpr double kSureEnough = 0.35;              // Metres.
 constexpr double kBeyondArms = 0.40;              // Metres.
 constexpr double kPaceGain = 1.0 / 64.0;          // Per firing: four seconds of walking.
+constexpr double kShortestStep = 0.25;            // Metres.
+constexpr double kLongestStep = 1.1;
 constexpr double kSure = 0.9;                     // Probability of the place from which on it is tracked,
 constexpr double kSharp = 1.0;                    // and its standard deviation in metres.
 
@@ -244,14 +246,24 @@ void BayesLocator::Core::conclude(double time_s) {
   summary_ = summarize(main_.particles(), building_, SummaryParameters{});
   estimate_ = summary_.best;
   estimate_.time_s = time_s;
-  if (summary_.walking > kSure && summary_.hypotheses[0].probability > kSure) {
-    pace_ = std::clamp(pace_ + kPaceGain * (summary_.pace - pace_), 0.2, 1.8);
-  }
+  learn_pace(time_s);
   log_scale_ = summary_.log_scale;
   log_scale_sigma_ = std::max(summary_.log_scale_sigma, kLeastScaleSigma);
   if (!links_.none()) see_who_is_away();
   estimate_.state = state();
   if (unconfirmed_ > 0) unconfirmed_ = fit_.doubtful() ? kConfirmed : unconfirmed_ - (estimate_.state == TrackState::tracking);
+}
+
+// A wearer's steps are of much the same length; how fast they follow tells the pace before the echoes do.
+void BayesLocator::Core::learn_pace(double time_s) {
+  const bool walks = summary_.walking > kSure && summary_.hypotheses[0].probability > kSure;
+  const double cadence = hints_.cadence(time_s);
+  if (cadence > 0.0) {
+    if (walks) step_length_ += kPaceGain * (std::clamp(summary_.pace / cadence, kShortestStep, kLongestStep) - step_length_);
+    pace_ = std::clamp(step_length_ * cadence, 0.2, 1.8);
+  } else if (walks) {
+    pace_ = std::clamp(pace_ + kPaceGain * (summary_.pace - pace_), 0.2, 1.8);
+  }
 }
 
 void BayesLocator::Core::see_who_is_away() {

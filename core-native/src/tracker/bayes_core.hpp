@@ -69,6 +69,7 @@ class BayesLocator::Core {
   [[nodiscard]] std::span<const tracker::Spot> recall(const tracker::Shot& shot);
   void remember(const tracker::Record& record);
   void conclude(double time_s);
+  void learn_pace(double time_s);
   void see_who_is_away();
   [[nodiscard]] TrackState state() const;
 
@@ -122,6 +123,7 @@ class BayesLocator::Core {
   int backwards_ = 0;
   bool gyro_ = false;
   double pace_ = 0.55;              ///< Usual walking speed, learnt.
+  double step_length_ = 0.65;       ///< Metres of a usual step, learnt.
   double log_scale_ = 0.0;
   double log_scale_sigma_ = 0.0;
   int fruitless_ = 0;               ///< Searches in a row that found nothing, each wider than the one before.

@@ -60,6 +60,9 @@ class EchoModel {
     return table[i] + f * (table[i + 1] - table[i]);
   }
 
+  /// Square of a sine beyond which nothing answers for sure.
+  [[nodiscard]] double cut_off_sine2() const noexcept { return cut_off_sine2_; }
+
   /// Factor for kind and distance.
   [[nodiscard]] double reach(scene::ReflectorKind kind, double distance) const noexcept {
     const auto& table = reach_[static_cast<std::size_t>(kind)];
@@ -101,6 +104,7 @@ class EchoModel {
   std::array<std::array<double, kReachEntries>, scene::kReflectorKinds> reach_{};
   std::array<double, kReachEntries> unexplained_{};
   double beam_scale_ = 0.0;
+  double cut_off_sine2_ = 1.0;
   double ghost_density_ = 0.0;
   double quiet_ = 1.0;
   double deaf_ = 0.0;

@@ -16,6 +16,7 @@ constexpr double kStepLateness = 0.3;
 constexpr double kShortestStep = 0.25;      // Seconds between two real steps.
 constexpr double kLongestStep = 2.0;
 constexpr double kDefaultStep = 1.0;
+constexpr std::size_t kFewestIntervals = 2;
 constexpr double kStepWithoutWalking = 0.12;   // Likelihood of a step event while standing, against walking.
 
 void forget_speed(Particle& p, double speed, double sigma) noexcept {
@@ -117,6 +118,7 @@ void HintIntegrator::reset_clock() noexcept {
   clock_set_ = false;
   turn_ = 0.0;
   last_rate_time_ = last_heading_time_ = last_step_ = -1e300;
+  interval_count_ = 0;
 }
 
 void HintIntegrator::on_hint(const MotionHint& hint) noexcept {
@@ -143,12 +145,27 @@ void HintIntegrator::on_hint(const MotionHint& hint) noexcept {
     case MotionKind::step: {
       const double since = hint.time_s - last_step_;
       if (since < kShortestStep) return;
+      if (since < kLongestStep) note_step_interval(since);
       if (since < kLongestStep) step_interval_ = step_interval_ > 0.0 ? 0.7 * step_interval_ + 0.3 * since : since;
       last_step_ = hint.time_s;
       fresh_step_ = true;
       break;
     }
   }
+}
+
+void HintIntegrator::note_step_interval(double seconds) noexcept {
+  intervals_[interval_count_++ % kIntervals] = seconds;
+}
+
+// A step missed doubles an interval and one invented splits one: the median minds neither.
+double HintIntegrator::cadence(double time_s) const noexcept {
+  const std::size_t count = std::min(interval_count_, kIntervals);
+  if (count < kFewestIntervals || time_s - last_step_ > kLongestStep) return 0.0;
+  std::array<double, kIntervals> sorted;
+  for (std::size_t i = 0; i < kIntervals; ++i) sorted[i] = intervals_[i % count];
+  std::sort(sorted.begin(), sorted.end());
+  return 1.0 / sorted[kIntervals / 2];
 }
 
 // One hint stamped far ahead would make every later one look old.

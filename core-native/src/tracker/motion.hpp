@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "echoway/motion/motion_hint.hpp"
 #include "echoway/random.hpp"
 #include "tracker/particle.hpp"
@@ -58,9 +60,13 @@ class HintIntegrator {
     double walking = 1.0;
   };
   [[nodiscard]] GaitEvidence take_gait_evidence(double time_s, double seconds) noexcept;
+  /// Steps a second, the median of the last ones; 0 when nobody is stepping or too few steps were heard.
+  [[nodiscard]] double cadence(double time_s) const noexcept;
   void reset_clock() noexcept;
 
  private:
+  void note_step_interval(double seconds) noexcept;
+
   void integrate_to(double time_s) noexcept;
   void forget_future(double time_s) noexcept;
 
@@ -74,6 +80,9 @@ class HintIntegrator {
 
   double last_step_ = -1e300;
   double step_interval_ = 0.0;       ///< Smoothed; 0 before two steps.
+  static constexpr std::size_t kIntervals = 5;
+  std::array<double, kIntervals> intervals_{};   ///< Seconds between the last steps.
+  std::size_t interval_count_ = 0;
   bool fresh_step_ = false;
 };
 

@@ -1,0 +1,68 @@
+#include "tracker/panorama.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tracker/elementary.hpp"
+#include "tracker/plans.hpp"
+
+namespace echoway::tracker {
+namespace {
+
+Particle standing(RoomIndex room, Vec2 position, double heading) {
+  Particle p;
+  p.room = room;
+  p.position = position;
+  p.heading = heading;
+  const SinCos f = fast_sincos(heading);
+  p.facing = {f.cos, f.sin};
+  return p;
+}
+
+TEST(Panorama, ExpectsWhatTheTrackerExpectsThere) {
+  const Building building = test::small_office();
+  const BeltConfig belt;
+  const EchoModel model(belt, {});
+  scene::Scene scene(building, model.sight_limits());
+  Panorama panorama;
+  for (RoomIndex room = 0; room < static_cast<RoomIndex>(building.rooms.size()); ++room) {
+    const Vec2 place = 0.5 * (scene.room(room).low + scene.room(room).high) + Vec2{0.31, -0.17};
+    panorama.stand_at(room, place);
+    for (int k = 0; k < Panorama::kDirections; ++k) {
+      const double angle = wrap_near(kTwoPi * k / Panorama::kDirections);
+      Particle p = standing(room, place, angle);
+      Shot shot;
+      shot.radius = belt.radius_m;
+      shot.coarse = true;
+      for (const double range : {0.0, 0.8, 1.7, 3.2}) {
+        shot.echo = range > 0.0;
+        shot.range = range;
+        Particle untouched = p;
+        const double exact = assimilate(untouched, shot, model, scene).density;
+        const double seen = density_of(panorama.towards(angle, belt.radius_m, model, scene), shot.echo, range, {}, model);
+        EXPECT_NEAR(seen, exact, 1e-9 * exact) << "room " << room << ", direction " << k << ", range " << range;
+      }
+    }
+  }
+}
+
+TEST(Panorama, FollowsAShortWalkTowardsAWall) {
+  const Building building = test::small_office();
+  const BeltConfig belt;
+  const EchoModel model(belt, {});
+  scene::Scene scene(building, model.sight_limits());
+  const auto& room = scene.room(1);
+  const Vec2 place{0.5 * (room.low.x + room.high.x), room.low.y + 1.5};
+  Panorama panorama;
+  panorama.stand_at(1, place);
+  const Panorama::Sight& sight = panorama.towards(-0.5 * kPi, belt.radius_m, model, scene);
+  Offset walked;
+  walked.moved = {0.0, -0.4};
+  const double to_wall = 1.5 - belt.radius_m;
+  EXPECT_GT(density_of(sight, true, to_wall - 0.4, walked, model), 5.0 * density_of(sight, true, to_wall, walked, model));
+  EXPECT_GT(density_of(sight, true, to_wall, {}, model), 5.0 * density_of(sight, true, to_wall - 0.4, {}, model));
+}
+
+}  // namespace
+}  // namespace echoway::tracker
