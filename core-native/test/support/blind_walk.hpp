@@ -92,8 +92,8 @@ struct WalkOutcome {
   std::vector<TracePoint> trace;
 };
 
-/// Walks one wearer from `start` to `goal` by cues alone. Gives up after a time that a slow walker would need five times
-/// over. The same arguments give the same walk. `shortest_m` is the shortest way by the plan unless `shortest_m` is given.
+/// Walks one wearer from `start` to `goal` by cues alone. Gives up after five minutes and the time that a slow walker would
+/// need five times over. The same arguments give the same walk. `shortest_m`: the shortest way by the plan unless given.
 WalkOutcome walk_blindfolded(const Router& router, const Spot& start, double heading, const Goal& goal,
                              PoseSource& source, const WearerModel& model, std::uint64_t seed,
                              std::optional<double> shortest_m = std::nullopt);
