@@ -159,7 +159,7 @@ std::string follow_once(const Walked& walked, const Variant& variant, int number
 
 void run_ablations(const Context& context) {
   const std::vector<Variant> all = variants();
-  const int walks = context.repeats(12);
+  const int walks = context.repeats(16);
   const auto walked = run_all(context, 2 * walks, [](int i) { return walk_once(i / 2, i % 2 == 1); });
   const int kinds = static_cast<int>(all.size());
   const auto parts = run_all(context, walks * kinds, [&](int i) {

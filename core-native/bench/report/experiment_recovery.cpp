@@ -81,7 +81,7 @@ std::string one_walk(const std::string& name, int number) {
 
 void run_recovery(const Context& context) {
   const int kinds = static_cast<int>(kBuildings.size());
-  const auto parts = run_all(context, kinds * context.repeats(12), [&](int i) {
+  const auto parts = run_all(context, kinds * context.repeats(16), [&](int i) {
     return one_walk(kBuildings[static_cast<std::size_t>(i % kinds)], i / kinds);
   });
   Table table("building,walk,method,found_s,watched_s");

@@ -152,7 +152,7 @@ std::vector<Job> jobs_of(const std::vector<Nuisance>& all, int walks) {
 
 void run_robustness(const Context& context) {
   const std::vector<Nuisance> all = nuisances();
-  const std::vector<Job> jobs = jobs_of(all, context.repeats(12));
+  const std::vector<Job> jobs = jobs_of(all, context.repeats(16));
   const auto parts = run_all(context, static_cast<int>(jobs.size()),
                              [&](int i) { return one_walk(jobs[static_cast<std::size_t>(i)], all); });
   Table table(kRoamColumns);
