@@ -67,6 +67,7 @@ bool BayesLocator::Core::on_firing(const Firing& firing) {
   history_.push(take_down(firing, seconds));
   Record& record = history_.back();
 
+  if (const auto rate = hints_.take_still_rate()) stand_still(*rate);
   const auto gait = hints_.take_gait_evidence(firing.time_s, record.interval.seconds);
   if (!main_.empty()) track(record, gait);
   if (model_ == &deafened_ && record.echo && record.range > kHardOfHearingRange && hears_far()) model_ = &keen_;
@@ -264,6 +265,12 @@ void BayesLocator::Core::learn_pace(double time_s) {
   } else if (walks) {
     pace_ = std::clamp(pace_ + kPaceGain * (summary_.pace - pace_), 0.2, 1.8);
   }
+}
+
+// Whoever stands does not turn: what the gyroscope reads meanwhile is its bias.
+void BayesLocator::Core::stand_still(double rate) {
+  main_.observe_gyro_bias(rate, StillRate::kSigma, random_);
+  rival_.population().observe_gyro_bias(rate, StillRate::kSigma, random_);
 }
 
 void BayesLocator::Core::see_who_is_away() {

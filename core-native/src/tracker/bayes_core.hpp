@@ -70,6 +70,7 @@ class BayesLocator::Core {
   void remember(const tracker::Record& record);
   void conclude(double time_s);
   void learn_pace(double time_s);
+  void stand_still(double rate);
   void see_who_is_away();
   [[nodiscard]] TrackState state() const;
 

@@ -13,6 +13,8 @@ constexpr double kStaleRate = 0.5;          // Seconds for which a yaw rate is h
 constexpr double kFurthestAhead = 5.0;      // Seconds that hints may run ahead of the firings.
 constexpr double kFastestTurn = 10.0;       // rad/s; nobody turns faster, a gyroscope that says so is broken.
 constexpr double kStepLateness = 0.3;
+constexpr double kRecently = 30.0;          // Seconds since a step for which a detector is fully believed.
+constexpr double kSettled = 1.5;           // Seconds after a step in which the wearer may still be stepping.
 constexpr double kShortestStep = 0.25;      // Seconds between two real steps.
 constexpr double kLongestStep = 2.0;
 constexpr double kDefaultStep = 1.0;
@@ -119,6 +121,7 @@ void HintIntegrator::reset_clock() noexcept {
   turn_ = 0.0;
   last_rate_time_ = last_heading_time_ = last_step_ = -1e300;
   interval_count_ = 0;
+  still_.reset();
 }
 
 void HintIntegrator::on_hint(const MotionHint& hint) noexcept {
@@ -128,6 +131,7 @@ void HintIntegrator::on_hint(const MotionHint& hint) noexcept {
       if (std::abs(hint.value) > kFastestTurn || hint.time_s < last_rate_time_) return;
       integrate_to(hint.time_s);
       rate_ = hint.value;
+      still_.note(hint.time_s, hint.value, hint.time_s - last_step_ < kSettled);
       last_rate_time_ = hint.time_s;
       break;
     case MotionKind::heading: {
@@ -192,11 +196,14 @@ HintIntegrator::GaitEvidence HintIntegrator::take_gait_evidence(double time_s, d
     evidence.standing = kStepWithoutWalking;
     return evidence;
   }
+  // A phone with a gyroscope counts steps too, most likely.
+  const bool heard = last_step_ > -1e299;
+  if (!heard && time_s - last_rate_time_ > kStaleRate) return evidence;
   const double since = time_s - last_step_;
-  if (since > 30.0) return evidence;   // No step detector, or none that works.
+  const double trust = since < kRecently ? 1.0 : 0.5;   // A detector may be slow to start, or stop for good.
   // A walker's next step is overdue a little after the usual interval; the detector may miss one and is late.
   const double usual = step_interval_ > 0.0 ? std::min(step_interval_, kLongestStep) : kDefaultStep;
-  if (since > 0.9 * usual + kStepLateness) evidence.walking = fast_exp(-0.9 / usual * seconds);
+  if (since > 0.9 * usual + kStepLateness) evidence.walking = fast_exp(-0.9 * trust / usual * seconds);
   return evidence;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "echoway/motion/motion_hint.hpp"
 #include "echoway/random.hpp"
+#include "tracker/still_rate.hpp"
 #include "tracker/particle.hpp"
 
 namespace echoway::tracker {
@@ -62,6 +64,8 @@ class HintIntegrator {
   [[nodiscard]] GaitEvidence take_gait_evidence(double time_s, double seconds) noexcept;
   /// Steps a second, the median of the last ones; 0 when nobody is stepping or too few steps were heard.
   [[nodiscard]] double cadence(double time_s) const noexcept;
+  /// What the gyroscope read during a second of standing that has just ended, once.
+  [[nodiscard]] std::optional<double> take_still_rate() noexcept { return still_.take(); }
   void reset_clock() noexcept;
 
  private:
@@ -77,6 +81,8 @@ class HintIntegrator {
   double last_rate_time_ = -1e300;
   double last_heading_ = 0.0;
   double last_heading_time_ = -1e300;
+
+  StillRate still_;
 
   double last_step_ = -1e300;
   double step_interval_ = 0.0;       ///< Smoothed; 0 before two steps.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracker/elementary.hpp"
+
 namespace echoway::tracker {
 namespace {
 
@@ -73,6 +75,17 @@ std::size_t Population::occupied_cells() noexcept {
     ++occupied;
   }
   return occupied;
+}
+
+void Population::observe_gyro_bias(double bias, double sigma, Random& random) noexcept {
+  double mean = 0.0, square = 0.0;
+  for (const Particle& p : particles()) {
+    mean += p.weight * p.gyro_bias;
+    square += p.weight * p.gyro_bias * p.gyro_bias;
+  }
+  const double variance = std::max(square - mean * mean, 0.0);
+  const double gain = variance / (variance + sigma * sigma);
+  for (Particle& p : particles()) p.gyro_bias += gain * (bias + sigma * cheap_normal(random) - p.gyro_bias);
 }
 
 void Population::resample(std::size_t target, Random& random) noexcept {

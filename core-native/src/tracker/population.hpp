@@ -31,6 +31,9 @@ class Population {
   /// Number of cells of half a metre and 20 degrees that hold a particle of noticeable weight: how spread the belief is
   /// (Fox 2003, KLD sampling).
   [[nodiscard]] std::size_t occupied_cells() noexcept;
+  /// Moves every particle's gyroscope bias towards `bias`, measured with `sigma` (an ensemble Kalman update with perturbed
+  /// observations: Burgers, van Leeuwen and Evensen 1998).
+  void observe_gyro_bias(double bias, double sigma, Random& random) noexcept;
   /// Systematic resampling (Kitagawa 1996) to `target` particles of equal weight.
   void resample(std::size_t target, Random& random) noexcept;
 

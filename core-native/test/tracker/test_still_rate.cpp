@@ -1,0 +1,54 @@
+#include "tracker/still_rate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "echoway/geometry/pose2.hpp"
+#include "echoway/tracker/bayes_locator.hpp"
+#include "tracker/plans.hpp"
+
+namespace echoway {
+namespace {
+
+using tracker::StillRate;
+
+TEST(StillRate, TakesTheMeanOfASecondInWhichNobodyTurnsOrSteps) {
+  StillRate rate;
+  for (int i = 0; i <= 30; ++i) rate.note(0.04 * i, degrees(i % 2 == 0 ? 0.9 : 1.1), false);
+  const auto mean = rate.take();
+  ASSERT_TRUE(mean);
+  EXPECT_NEAR(*mean, degrees(1.0), degrees(0.01));
+  EXPECT_FALSE(rate.take()) << "it is said once";
+}
+
+TEST(StillRate, SaysNothingOfWhoTurnsWalksOrWhosePhoneSleeps) {
+  StillRate turning, walking, sleeping;
+  for (int i = 0; i <= 50; ++i) {
+    turning.note(0.04 * i, i % 20 == 0 ? degrees(12.0) : degrees(0.5), false);
+    walking.note(0.04 * i, degrees(0.5), true);
+    sleeping.note(0.5 * i, degrees(0.5), false);
+  }
+  EXPECT_FALSE(turning.take());
+  EXPECT_FALSE(walking.take());
+  EXPECT_FALSE(sleeping.take());
+}
+
+TEST(StillRate, KeepsTheHeadingOfAWaitingWearerWhoseGyroscopeDrifts) {
+  const Building building = test::small_office();
+  Start start;
+  start.room = 1;
+  start.position = Vec2{1.5, 1.5};
+  start.heading = 0.5;
+  BayesLocator locator(building, {}, start, {});
+  int hint = 0;
+  for (int i = 0; i < 480; ++i) {   // Half a minute without an echo: nothing but the gyroscope.
+    const double now = 0.0624 * i;
+    for (; 0.04 * hint <= now; ++hint) locator.on_motion({0.04 * hint, MotionKind::yaw_rate, degrees(1.0)});
+    locator.on_firing({now, i % 15, Firing::kNoEcho});
+  }
+  EXPECT_LT(std::abs(wrap_angle(locator.estimate().pose.heading - 0.5)), degrees(8.0)) << "the gyroscope turned by 30";
+}
+
+}  // namespace
+}  // namespace echoway
