@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t kParticlesPerCell = 14;     // While several places are possible.
 constexpr std::size_t kSettledCells = 10;         // A belief this narrow takes the tracking number of particles.
 constexpr double kStairwellShare = 0.80;          // Or neither: it is not known what answers there.
+constexpr double kUnhurried = 0.6;                // m/s; who walks faster goes farther between two looks of a sensor,
+constexpr double kMostHaste = 2.5;                // and takes so many times the particles at most.
 constexpr std::uint64_t kSilence = 32;             // Firings without an echo after which
 constexpr std::size_t kDeafParticles = 400;       // more particles would learn no more.
 constexpr std::size_t kAwayParticles = 800;       // Few of them arrive at the right moment and facing the right way.
@@ -219,7 +221,8 @@ void BayesLocator::Core::remember(const Record& record) {
 }
 
 void BayesLocator::Core::thin_out(Population& population) {
-  const auto settled = static_cast<std::size_t>(gyro_ ? options_.particles : options_.particles_without_gyroscope);
+  const double haste = std::clamp(pace_ / kUnhurried, 1.0, kMostHaste);
+  const auto settled = static_cast<std::size_t>(gyro_ ? haste * options_.particles : options_.particles_without_gyroscope);
   const double n = static_cast<double>(population.size());
   const bool shrink = population.size() > settled + settled / 4;
   const double effective = population.effective_size();

@@ -61,7 +61,7 @@ class EchoModel {
   }
 
   /// Square of a sine beyond which nothing answers for sure.
-  [[nodiscard]] double cut_off_sine2() const noexcept { return cut_off_sine2_; }
+  [[nodiscard]] double cut_off_sine2(bool coarse) const noexcept { return coarse ? coarse_cut_off_sine2_ : fine_cut_off_sine2_; }
 
   /// Factor for kind and distance.
   [[nodiscard]] double reach(scene::ReflectorKind kind, double distance) const noexcept {
@@ -104,7 +104,8 @@ class EchoModel {
   std::array<std::array<double, kReachEntries>, scene::kReflectorKinds> reach_{};
   std::array<double, kReachEntries> unexplained_{};
   double beam_scale_ = 0.0;
-  double cut_off_sine2_ = 1.0;
+  double fine_cut_off_sine2_ = 1.0;
+  double coarse_cut_off_sine2_ = 1.0;
   double ghost_density_ = 0.0;
   double quiet_ = 1.0;
   double deaf_ = 0.0;
