@@ -15,8 +15,9 @@ namespace {
 constexpr std::size_t kParticlesPerCell = 14;     // While several places are possible.
 constexpr std::size_t kSettledCells = 10;         // A belief this narrow takes the tracking number of particles.
 constexpr double kStairwellShare = 0.80;          // Or neither: it is not known what answers there.
-constexpr double kUnhurried = 0.6;                // m/s; who walks faster goes farther between two looks of a sensor,
-constexpr double kMostHaste = 2.5;                // and takes so many times the particles at most.
+constexpr double kUnhurried = 0.6;                // m/s; who walks faster goes farther between two looks of a sensor.
+constexpr double kNarrow = 0.15;                  // Metres: a place known so well takes the fewest particles,
+constexpr double kMostNeeded = 2.5;               // another one so many times as many at most.
 constexpr std::uint64_t kSilence = 32;             // Firings without an echo after which
 constexpr std::size_t kDeafParticles = 400;       // more particles would learn no more.
 constexpr std::size_t kAwayParticles = 800;       // Few of them arrive at the right moment and facing the right way.
@@ -221,8 +222,8 @@ void BayesLocator::Core::remember(const Record& record) {
 }
 
 void BayesLocator::Core::thin_out(Population& population) {
-  const double haste = std::clamp(pace_ / kUnhurried, 1.0, kMostHaste);
-  const auto settled = static_cast<std::size_t>(gyro_ ? haste * options_.particles : options_.particles_without_gyroscope);
+  const double need = std::clamp(std::max(pace_ / kUnhurried, estimate_.sigma_m / kNarrow), 1.0, kMostNeeded);
+  const auto settled = static_cast<std::size_t>(gyro_ ? need * options_.particles : options_.particles_without_gyroscope);
   const double n = static_cast<double>(population.size());
   const bool shrink = population.size() > settled + settled / 4;
   const double effective = population.effective_size();

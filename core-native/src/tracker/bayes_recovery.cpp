@@ -26,7 +26,7 @@ constexpr double kHeadingStep = degrees(8.0);
 // somehow is seldom wrong by a little and hardly ever by much.
 constexpr double kLogNear = -7.0;
 constexpr double kLogNearWhenPoor = -3.0;
-constexpr double kLogFarWhenPoor = -8.0;
+constexpr double kLogFarWhenPoor = -20.0;            // Halls repeat themselves: a few metres on, much is the same.
 constexpr double kLogUnconfirmed = -5.0;             // The same while a place that a search found has not proved itself.
 constexpr double kLogUnconfirmedWhenPoor = -2.0;
 constexpr double kLogReturn = -7.0;                  // Of the old belief, once it is given up.
@@ -85,6 +85,7 @@ void BayesLocator::Core::start_recovery() {
     search_.start(domain, begin, now);
     return;
   }
+  if (gyro_) domain.kept_heading = estimate_.pose.heading;
   domain.near_room = estimate_.room;
   domain.near_position = estimate_.pose.position;
   const int circle = fit_.poor() ? fruitless_ % kCircles : 0;

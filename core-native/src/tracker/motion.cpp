@@ -132,6 +132,7 @@ void HintIntegrator::on_hint(const MotionHint& hint) noexcept {
       integrate_to(hint.time_s);
       rate_ = hint.value;
       still_.note(hint.time_s, hint.value, hint.time_s - last_step_ < kSettled);
+      if (last_rate_time_ < -1e299) first_rate_time_ = hint.time_s;
       last_rate_time_ = hint.time_s;
       break;
     case MotionKind::heading: {
@@ -199,10 +200,11 @@ HintIntegrator::GaitEvidence HintIntegrator::take_gait_evidence(double time_s, d
   // A phone with a gyroscope counts steps too, most likely.
   const bool heard = last_step_ > -1e299;
   if (!heard && time_s - last_rate_time_ > kStaleRate) return evidence;
-  const double since = time_s - last_step_;
-  const double trust = since < kRecently ? 1.0 : 0.5;   // A detector may be slow to start, or stop for good.
+  const double since = time_s - (heard ? last_step_ : first_rate_time_);
+  const double trust = heard && since < kRecently ? 1.0 : 0.5;   // A detector may be slow to start, or stop for good.
   // A walker's next step is overdue a little after the usual interval; the detector may miss one and is late.
-  const double usual = step_interval_ > 0.0 ? std::min(step_interval_, kLongestStep) : kDefaultStep;
+  const double unknown = heard ? kDefaultStep : kLongestStep;
+  const double usual = step_interval_ > 0.0 ? std::min(step_interval_, kLongestStep) : unknown;
   if (since > 0.9 * usual + kStepLateness) evidence.walking = fast_exp(-0.9 * trust / usual * seconds);
   return evidence;
 }

@@ -78,6 +78,7 @@ class HintIntegrator {
   bool clock_set_ = false;
   double turn_ = 0.0;
   double rate_ = 0.0;
+  double first_rate_time_ = 0.0;
   double last_rate_time_ = -1e300;
   double last_heading_ = 0.0;
   double last_heading_time_ = -1e300;

@@ -259,9 +259,22 @@ void Search::draw_from_survivors(const SearchTools& tools, Random& random) noexc
   log_evidence_ = 0.0;
 }
 
+// A gyroscope keeps the heading when the place is lost, and while the wearer is carried.
+double Search::log_prior_of_heading(const Particle& p, const Building& building) const noexcept {
+  if (!domain_.kept_heading) return 0.0;
+  constexpr double kKeptSigma = degrees(15.0);
+  constexpr double kKeptShare = 0.98;
+  constexpr double kRootTwoPi = 2.5066282746310002;
+  const double now = *domain_.kept_heading + turned_ + building.room(domain_.near_room).frame.heading;
+  const double off = wrap_near(building.room(p.room).frame.heading + p.heading - now) / kKeptSigma;
+  return fast_log(kKeptShare * kRootTwoPi / kKeptSigma * fast_exp(-0.5 * off * off) + 1.0 - kKeptShare);
+}
+
 // A tracker that lost its hold is most often not far off; being carried elsewhere is rare.
 double Search::log_prior(const Particle& p, const Building& building) const noexcept {
-  if (domain_.near_room == kNoRoom || domain_.within) return 0.0;
+  if (domain_.near_room == kNoRoom) return 0.0;
+  const double facing = log_prior_of_heading(p, building);
+  if (domain_.within) return facing;
   constexpr double kNearSigma = 2.0;
   constexpr double kNearShare = 0.9997;
   const Room& here = building.room(p.room);
@@ -271,11 +284,15 @@ double Search::log_prior(const Particle& p, const Building& building) const noex
     const double d2 = squared_norm(here.frame.transform(p.position) - near.frame.transform(domain_.near_position));
     nearness = area_ / (kTwoPi * kNearSigma * kNearSigma) * fast_exp(-0.5 * d2 / (kNearSigma * kNearSigma));
   }
-  return fast_log(kNearShare * nearness + 1.0 - kNearShare);
+  return facing + fast_log(kNearShare * nearness + 1.0 - kNearShare);
 }
 
 void Search::finish(const SearchTools& tools) noexcept {
   phase_ = Phase::done;
+  turned_ = 0.0;
+  for (std::uint64_t n = end_; n < tools.history.end(); ++n) {
+    turned_ += tools.history[n].interval.turn - tools.gyro_bias * tools.history[n].interval.seconds;
+  }
   const auto particles = refinement_.population().particles();
   for (Particle& p : particles) p.weight *= fast_exp(log_prior(p, tools.building));
   const double tried = static_cast<double>(std::max<std::size_t>(tried_, 1));

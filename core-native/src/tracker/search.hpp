@@ -21,6 +21,7 @@ struct SearchDomain {
   RoomIndex near_room = kNoRoom;              ///< When set, places near this one are likelier than elsewhere.
   Vec2 near_position{};                       ///< In that room's frame.
   std::optional<double> within;               ///< Metres: look no farther from there, on any level,
+  std::optional<double> kept_heading;         ///< When set, headings near this one are likelier (that room's frame, at the start).
   std::optional<double> near_heading;         ///< and, when set, only about this heading (that room's frame).
 };
 
@@ -105,6 +106,7 @@ class Search {
     return heading_is_known() ? domain_.heading_sigma : parameters_.heading_step;
   }
   void finish(const Tools& tools) noexcept;
+  [[nodiscard]] double log_prior_of_heading(const Particle& particle, const Building& building) const noexcept;
   [[nodiscard]] double log_prior(const Particle& particle, const Building& building) const noexcept;
 
   [[nodiscard]] std::size_t budget() const noexcept {
@@ -137,6 +139,7 @@ class Search {
   std::size_t count_ = 0;
   Refinement refinement_;
   double log_evidence_ = 0.0;
+  double turned_ = 0.0;                  ///< By the wearer since the search began, radians.
 };
 
 }  // namespace echoway::tracker
