@@ -25,6 +25,7 @@ constexpr double kHeadingStep = degrees(8.0);
 // Log odds that the belief is wrong and what was found instead is right, before its probation: a belief that still fits
 // somehow is seldom wrong by a little and hardly ever by much.
 constexpr double kLogNear = -7.0;
+constexpr double kLogNearBlind = -12.0;              // Without a gyroscope it may also be turned round.
 constexpr double kLogNearWhenPoor = -3.0;
 constexpr double kLogFarWhenPoor = -20.0;            // Halls repeat themselves: a few metres on, much is the same.
 constexpr double kLogUnconfirmed = -5.0;             // The same while a place that a search found has not proved itself.
@@ -157,7 +158,7 @@ void BayesLocator::Core::challenge() {
 
 double BayesLocator::Core::handicap() const {
   if (unconfirmed_ > 0) return fit_.poor() ? kLogUnconfirmedWhenPoor : kLogUnconfirmed;
-  if (!fit_.poor()) return kLogNear;
+  if (!fit_.poor()) return gyro_ ? kLogNear : kLogNearBlind;
   return fruitless_ % kCircles == 0 ? kLogNearWhenPoor : kLogFarWhenPoor;
 }
 
