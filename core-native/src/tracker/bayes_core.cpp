@@ -233,7 +233,8 @@ void BayesLocator::Core::thin_out(Population& population) {
   if (away_ > kPerhapsAway) target = std::max(target, kAwayParticles);
   if (cells > kSettledCells) target = std::max(target, kParticlesPerCell * cells);
   target = std::max(target, static_cast<std::size_t>(fit_.doubt() * static_cast<double>(settled)));
-  if (echoes_since(history_.end() - std::min(history_.end(), kSilence)) == 0) target = std::min(target, kDeafParticles);
+  const bool silent = echoes_since(history_.end() - std::min(history_.end(), kSilence)) == 0;
+  if (silent && away_ <= kPerhapsAway) target = std::min(target, kDeafParticles);
   target = std::min(target, population.capacity());
   if (effective > 0.5 * n && target >= population.size()) return;
   population.resample(target, random_);

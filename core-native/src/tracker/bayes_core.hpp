@@ -78,6 +78,7 @@ class BayesLocator::Core {
   void pursue_search();
   void start_first_search();
   void start_recovery();
+  [[nodiscard]] double heading_at(std::uint64_t firing) const;
   [[nodiscard]] std::optional<double> compass_at(std::uint64_t firing) const;
   void conclude_first_search();
   void challenge();

@@ -74,8 +74,8 @@ void BayesLocator::Core::start_recovery() {
     domain.near_room = landing_.room;
     domain.near_position = landing_.at;
     domain.within = kRoundAbout;
-    if (gyro_) domain.near_heading = landing_.turn + estimate_.pose.heading;
-    search_.start(domain, now - kRecoveryWindow, now);
+    if (gyro_) domain.near_heading = landing_.turn + heading_at(begin);
+    search_.start(domain, begin, now);
     return;
   }
   const bool unsure = fit_.doubtful() || (unconfirmed_ > 0 && estimate_.state != TrackState::tracking);
@@ -92,8 +92,17 @@ void BayesLocator::Core::start_recovery() {
   const int circle = fit_.poor() ? fruitless_ % kCircles : 0;
   if (circle == 0) domain.within = kRoundAbout;
   if (circle == 1) domain.within = kNearby;
-  if (circle == 0 && gyro_) domain.near_heading = estimate_.pose.heading;
+  if (circle == 0 && gyro_) domain.near_heading = heading_at(begin);
   search_.start(domain, begin, now);
+}
+
+// The estimate's heading at an earlier firing, by the gyroscope: a search begins where its window does.
+double BayesLocator::Core::heading_at(std::uint64_t firing) const {
+  double heading = estimate_.pose.heading;
+  for (std::uint64_t n = firing + 1; n < history_.end(); ++n) {
+    heading -= history_[n].interval.turn - summary_.gyro_bias * history_[n].interval.seconds;
+  }
+  return wrap_angle(heading);
 }
 
 // What the compass would have said at a firing, by the turns in between; nothing when no gyroscope told them.
