@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "echoway/acoustics/kuc_siegel.hpp"
+#include "echoway/geometry/vec2.hpp"
 
 namespace echoway {
 namespace {
@@ -39,7 +40,7 @@ double Receiver::gain(double time_s) const noexcept { return std::clamp(time_s /
 
 double Waveform::peak() const noexcept {
   double largest = 0.0;
-  for (const auto& s : sample) largest = std::max(largest, std::abs(s));
+  for (const auto& s : sample) largest = std::max(largest, hypotenuse(s.real(), s.imag()));
   return largest;
 }
 

@@ -14,7 +14,7 @@ Vec2 most(Vec2 a, Vec2 b) { return {std::max(a.x, b.x), std::max(a.y, b.y)}; }
 double box_distance(Vec2 low, Vec2 high, Vec2 p) {
   const double dx = std::max({low.x - p.x, 0.0, p.x - high.x});
   const double dy = std::max({low.y - p.y, 0.0, p.y - high.y});
-  return std::hypot(dx, dy);
+  return hypotenuse(dx, dy);
 }
 
 /// Entry distance of a ray into a box (slab test); infinity when it misses.

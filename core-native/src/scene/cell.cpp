@@ -13,7 +13,7 @@ using Corners = std::array<Vec2, 4>;
 double distance_to_box(Vec2 p, const Corners& box) noexcept {
   const double dx = std::max({box[0].x - p.x, 0.0, p.x - box[2].x});
   const double dy = std::max({box[0].y - p.y, 0.0, p.y - box[2].y});
-  return std::hypot(dx, dy);
+  return hypotenuse(dx, dy);
 }
 
 bool may_be_rough(const Candidate& wall, const SightLimits& limits) noexcept { return wall.nearest < limits.rough_range; }

@@ -162,7 +162,7 @@ ExplainedEcho EchoExplainer::explain(const Firing& firing, const Estimate& estim
   const Vec2 axis = unit_from_angle(estimate.pose.heading + belt.bearing(firing.sensor));
   const double half = 0.5 * belt.beam_rad + kBeamSlack + at_most(estimate.sigma_heading_rad, kMostTurn);
   const Ray ray{estimate.pose.position + belt.radius_m * axis, axis, std::cos(std::min(half, degrees(85.0)))};
-  const double blur = std::hypot(belt.range_noise * firing.range_m, at_most(estimate.sigma_m, kMostShift));
+  const double blur = hypotenuse(belt.range_noise * firing.range_m, at_most(estimate.sigma_m, kMostShift));
   const double tolerance = kFloor + 2.0 * blur;
   for (const Reflector& r : room.reflectors) {
     const Turn turn = turn_of(room, r, ray);

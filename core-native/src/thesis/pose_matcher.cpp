@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "echoway/geometry/vec2.hpp"
+
 namespace echoway::thesis {
 namespace {
 
@@ -121,7 +123,7 @@ MatchWorkspace::MatchWorkspace(const BeltConfig& belt, const ThesisParameters& p
   const int reach = static_cast<int>(widest / parameters.position_spacing_m);
   for (int i = -reach; i <= reach; ++i) {
     for (int j = -reach; j <= reach; ++j) {
-      const double d = std::hypot(i, j);
+      const double d = hypotenuse(i, j);
       if (d <= reach) offsets_.push_back({static_cast<double>(i), static_cast<double>(j), d});
     }
   }

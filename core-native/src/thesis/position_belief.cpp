@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "echoway/geometry/vec2.hpp"
+
 namespace echoway::thesis {
 namespace {
 
@@ -16,7 +18,7 @@ constexpr double kMagnitudeToSigma = 1.2533141373155001;
 
 double Symmetric2::greatest_eigenvalue() const noexcept {
   const double middle = 0.5 * (xx + yy);
-  return middle + std::hypot(0.5 * (xx - yy), xy);
+  return middle + hypotenuse(0.5 * (xx - yy), xy);
 }
 
 Symmetric2 Symmetric2::inverse() const noexcept {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace echoway {
@@ -23,7 +24,18 @@ struct Vec2 {
 [[nodiscard]] constexpr double cross(Vec2 a, Vec2 b) noexcept { return a.x * b.y - a.y * b.x; }
 
 [[nodiscard]] constexpr double squared_norm(Vec2 v) noexcept { return dot(v, v); }
-[[nodiscard]] inline double norm(Vec2 v) noexcept { return std::hypot(v.x, v.y); }
+
+/// sqrt(x^2 + y^2) without overflow or loss for any finite x and y. In place of std::hypot(), whose last bit differs from one
+/// processor's libm to the next; a root and a division do not.
+[[nodiscard]] inline double hypotenuse(double x, double y) noexcept {
+  const double squared = x * x + y * y;
+  if (squared > 1e-280 && squared < 1e300) return std::sqrt(squared);
+  const double longer = std::max(std::fabs(x), std::fabs(y));
+  if (longer == 0.0 || std::isinf(longer)) return longer;
+  return longer * std::sqrt((x / longer) * (x / longer) + (y / longer) * (y / longer));
+}
+
+[[nodiscard]] inline double norm(Vec2 v) noexcept { return hypotenuse(v.x, v.y); }
 [[nodiscard]] inline double distance(Vec2 a, Vec2 b) noexcept { return norm(b - a); }
 
 /// `v` turned by 90 degrees counter-clockwise.

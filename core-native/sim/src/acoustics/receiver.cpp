@@ -6,6 +6,7 @@
 #include <complex>
 
 #include "acoustics/piston.hpp"
+#include "echoway/geometry/vec2.hpp"
 
 namespace echoway::sim {
 namespace {
@@ -23,6 +24,15 @@ constexpr std::array<double, 11> kGainSteps{2.38e-3,  5.12e-3,  7.87e-3,  10.61e
                                             18.84e-3, 21.58e-3, 27.07e-3, 32.55e-3, 38.04e-3};
 
 double from_db(double db) { return std::pow(10.0, db / 20.0); }
+
+// The complementary error function to 1.5e-7 (Abramowitz and Stegun 7.1.26). Not libm's, whose last bits differ from one
+// processor to the next.
+double erfc_about(double x) noexcept {
+  const double t = 1.0 / (1.0 + 0.3275911 * std::fabs(x));
+  const double series = t * (0.254829592 + t * (-0.284496736 + t * (1.421413741 + t * (-1.453152027 + t * 1.061405429))));
+  const double tail = series * std::exp(-x * x);
+  return x < 0.0 ? 2.0 - tail : tail;
+}
 
 double steps_by(double time_s) {
   return static_cast<double>(std::upper_bound(kGainSteps.begin(), kGainSteps.end(), time_s) - kGainSteps.begin());
@@ -71,7 +81,7 @@ double Receiver::scatter_loss(double distance_m, double radius_m) const noexcept
 
 double Receiver::end_taper(double inside_m, double path_m) const noexcept {
   const double zone = 0.5 * std::sqrt(0.5 * wavelength_ * path_m);
-  return 0.5 * std::erfc(-inside_m / zone);
+  return 0.5 * erfc_about(-inside_m / zone);
 }
 
 double Receiver::over_threshold(double path_m, double received) const noexcept {
@@ -104,7 +114,7 @@ std::optional<double> Receiver::first_crossing(std::vector<Arrival>& arrivals) c
       const double age = (s - arrivals[i].path_m) / pulse;
       sum += phasors[i] * std::max(0.0, 1.0 - std::abs(age - 1.0));
     }
-    const double now = over_threshold(s, std::abs(sum));
+    const double now = over_threshold(s, hypotenuse(sum.real(), sum.imag()));
     if (now >= 1.0) return s - step * (now - 1.0) / std::max(now - before, 1e-12) - calibrated;
     before = now;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "echoway/geometry/vec2.hpp"
 #include "streams.hpp"
 
 namespace echoway::sim {
@@ -34,7 +35,7 @@ double Ballasts::level(RoomIndex room, Vec2 face, Vec2 axis, double flicker) {
     const Vec2 to = lamp - face;
     const double away = norm(to);
     const double facing = away > 1e-6 ? std::max(0.0, dot(to, axis) / away) : 1.0;
-    const double near = kNear / std::hypot(kNear, away);
+    const double near = kNear / hypotenuse(kNear, away);
     strongest = std::max(strongest, kLevelAtLamp * near * near * facing * facing);
   }
   return strongest * std::pow(10.0, kFlickerDb * flicker / 20.0);

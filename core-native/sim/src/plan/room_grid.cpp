@@ -97,7 +97,7 @@ std::vector<Vec2> RoomGrid::path(Vec2 from, Vec2 to) const {
         const int next = row * columns_ + column;
         const double room = clearance_[static_cast<std::size_t>(next)];
         if (next == cell || room < wanted) continue;
-        const double step = kCell * std::hypot(dx, dy) * (1.0 + 2.0 * std::max(0.0, kComfort - room) / kComfort);
+        const double step = kCell * hypotenuse(dx, dy) * (1.0 + 2.0 * std::max(0.0, kComfort - room) / kComfort);
         const double total = cost[static_cast<std::size_t>(cell)] + step;
         if (total >= cost[static_cast<std::size_t>(next)]) continue;
         cost[static_cast<std::size_t>(next)] = total;
