@@ -18,8 +18,6 @@ constexpr double kDrawnSpeedSigma = 0.15; // Metres a second.
 constexpr double kCellSigma = 0.45;       // Standard deviation of a place within its cell, as a share of the cell's width,
 constexpr double kRefinedSigma = 0.25;    // and of one drawn from it.
 
-bool less_likely_on_top(double a, double b) noexcept { return a > b; }
-
 }  // namespace
 
 Search::Search(const scene::Scene& scene, const Parameters& parameters)
@@ -117,12 +115,15 @@ bool Search::next_candidate(const SearchTools& tools, Vec2& position, double& he
 }
 
 void Search::keep(const Survivor& survivor) noexcept {
-  const auto order = [](const Survivor& a, const Survivor& b) { return less_likely_on_top(a.log_likelihood, b.log_likelihood); };
+  // The least likely on top. Which of two equals a heap drops is its library's own affair, so that none may be equal.
+  const auto order = [](const Survivor& a, const Survivor& b) {
+    return a.log_likelihood != b.log_likelihood ? a.log_likelihood > b.log_likelihood : a.lot > b.lot;
+  };
   const auto first = survivors_.begin();
   if (count_ < survivors_.size()) {
     survivors_[count_++] = survivor;
     std::push_heap(first, first + static_cast<std::ptrdiff_t>(count_), order);
-  } else if (survivor.log_likelihood > survivors_.front().log_likelihood) {
+  } else if (order(survivor, survivors_.front())) {
     std::pop_heap(first, survivors_.end(), order);
     survivors_.back() = survivor;
     std::push_heap(first, survivors_.end(), order);
@@ -178,7 +179,8 @@ double Search::log_likelihood(const SearchTools& tools, const Leg& leg, const Si
 std::size_t Search::try_candidate(const SearchTools& tools, Vec2 position, double heading) noexcept {
   if (turn_ == 1) panorama_.stand_at(room_, position);
   const SinCos facing = fast_sincos(wrap_near(heading));
-  Survivor s{room_, position, heading, 0.0};
+  constexpr std::uint64_t kScatter = 0x9e3779b97f4a7c15;  // Odd, so that all products differ; equals are kept all over.
+  Survivor s{room_, position, heading, 0.0, tried_ * kScatter};
   const std::size_t looks = panorama_.looks();
   std::size_t n = 0;
   for (; n < swept_; ++n) {

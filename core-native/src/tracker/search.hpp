@@ -77,6 +77,7 @@ class Search {
     Vec2 position{};                     ///< Of its cell's centre at the window's begin.
     double heading = 0.0;
     double log_likelihood = 0.0;
+    std::uint64_t lot = 0;               ///< Decides between equals, of which a long hall has many: no two have the same.
   };
   [[nodiscard]] bool heading_is_known() const noexcept {
     return domain_.heading || domain_.near_heading || domain_.level_heading;
