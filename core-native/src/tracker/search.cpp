@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <tuple>
 
 #include "tracker/elementary.hpp"
@@ -60,13 +61,14 @@ void Search::enter_room(const SearchTools& tools) noexcept {
   floor_checked_ = false;
 }
 
-// Whether any of the current room lies within the domain, by its bounding box. The levels above and below count as near:
-// somebody may have taken the stairs unnoticed.
+// Whether any of the current room lies within the domain, by its bounding box. The next levels above and below count as
+// near: somebody may have taken the stairs unnoticed.
 bool Search::reachable(const SearchTools& tools) const noexcept {
   if (!domain_.within) return true;
   const auto& room = tools.scene.room(room_);
   const Room& here = tools.building.room(room_);
   const Room& near = tools.building.room(domain_.near_room);
+  if (std::abs(here.level - near.level) > 1) return false;
   const Vec2 centre = here.frame.inverse_transform(near.frame.transform(domain_.near_position));
   const Vec2 closest{std::clamp(centre.x, room.low.x, room.high.x), std::clamp(centre.y, room.low.y, room.high.y)};
   return distance(centre, closest) <= *domain_.within;
