@@ -4,6 +4,7 @@
 #include <ctime>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,9 +46,12 @@ struct Outcome {
 };
 
 std::vector<Contestant> contestants() {
+  const BayesOptions defaults;   // Which must be in the sweep.
+  const std::set<int> with_hints{10, 20, 40, 70, 150, 240, 480, defaults.particles};
+  const std::set<int> without{50, 100, 200, 400, 800, 1600, defaults.particles_without_gyroscope};
   std::vector<Contestant> all;
-  for (const int particles : {10, 20, 40, 80, 150, 240, 480}) all.push_back({"bayes", true, particles});
-  for (const int particles : {50, 100, 200, 400, 800, 1600}) all.push_back({"bayes", false, particles});
+  for (const int particles : with_hints) all.push_back({"bayes", true, particles});
+  for (const int particles : without) all.push_back({"bayes", false, particles});
   all.push_back({"thesis", false, 0});
   return all;
 }
