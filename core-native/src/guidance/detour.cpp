@@ -24,6 +24,18 @@ constexpr std::array<Step, 3> kByWalls{{{0.25, 3.0}, {0.35, 1.6}, {0.45, 1.2}}};
 constexpr std::array<Step, 5> kByThings{{{0.2, 30.0}, {0.3, 8.0}, {0.4, 3.0}, {0.55, 1.6}, {0.8, 1.15}}};
 constexpr double kWidest = 0.8;
 
+/// Calls `visit(cell, dx, dy)` for the cells of a square field of `side` that lie at most `around` cells from `middle`.
+template <class Visit>
+void for_each_near(std::int32_t middle, std::int32_t around, std::int32_t side, Visit visit) {
+  for (std::int32_t dy = -around; dy <= around; ++dy) {
+    for (std::int32_t dx = -around; dx <= around; ++dx) {
+      const std::int32_t x = middle % side + dx;
+      const std::int32_t y = middle / side + dy;
+      if (x >= 0 && y >= 0 && x < side && y < side) visit(y * side + x, dx, dy);
+    }
+  }
+}
+
 template <std::size_t n>
 double factor(const std::array<Step, n>& steps, double apart) noexcept {
   for (const Step& s : steps) {
@@ -79,17 +91,12 @@ void Detour::look_at_things(std::span<const Vec2> things) {
   for (const Vec2 at : things) {
     const std::int32_t middle = cell_of(at);
     if (middle < 0) continue;
-    for (std::int32_t dy = -kAround; dy <= kAround; ++dy) {
-      for (std::int32_t dx = -kAround; dx <= kAround; ++dx) {
-        const std::int32_t x = middle % kSide + dx;
-        const std::int32_t y = middle / kSide + dy;
-        if (x < 0 || y < 0 || x >= kSide || y >= kSide) continue;
-        const auto cell = static_cast<std::size_t>(y * kSide + x);
-        if (!(walls_[cell] < kNever)) continue;
-        const double f = factor(kByThings, distance(middle_of(y * kSide + x), at));
-        effort_[cell] = std::max(effort_[cell], static_cast<float>(f * walls_[cell]));
-      }
-    }
+    for_each_near(middle, kAround, kSide, [&](std::int32_t near, std::int32_t, std::int32_t) {
+      const auto cell = static_cast<std::size_t>(near);
+      if (!(walls_[cell] < kNever)) return;
+      const double f = factor(kByThings, distance(middle_of(near), at));
+      effort_[cell] = std::max(effort_[cell], static_cast<float>(f * walls_[cell]));
+    });
   }
 }
 
@@ -99,20 +106,14 @@ void Detour::open_ends(const FreeSpace& space, Vec2 from, Vec2 to) {
   constexpr auto kAround = static_cast<std::int32_t>(kEnd / kCell) + 1;
   for (const Vec2 end : {from, to}) {
     const std::int32_t middle = cell_of(end);
-    for (std::int32_t dy = -kAround; dy <= kAround; ++dy) {
-      for (std::int32_t dx = -kAround; dx <= kAround; ++dx) {
-        const std::int32_t x = middle % kSide + dx;
-        const std::int32_t y = middle / kSide + dy;
-        if (x < 0 || y < 0 || x >= kSide || y >= kSide) continue;
-        const auto cell = static_cast<std::size_t>(y * kSide + x);
-        const Vec2 p = middle_of(y * kSide + x);
-        if (effort_[cell] < kNever || distance(p, end) > kEnd) continue;
-        const bool itself = dx == 0 && dy == 0;
-        if (itself || (space.contains(p) && space.reach(end, (1.0 / distance(p, end)) * (p - end), kEnd) > distance(p, end))) {
-          effort_[cell] = kTight;
-        }
-      }
-    }
+    for_each_near(middle, kAround, kSide, [&](std::int32_t near, std::int32_t, std::int32_t) {
+      const auto cell = static_cast<std::size_t>(near);
+      const Vec2 p = middle_of(near);
+      const double apart = distance(p, end);
+      if (effort_[cell] < kNever || apart > kEnd) return;
+      const bool reached = near == middle || (space.contains(p) && space.reach(end, (1.0 / apart) * (p - end), kEnd) > apart);
+      if (reached) effort_[cell] = kTight;
+    });
   }
 }
 
@@ -129,21 +130,17 @@ bool Detour::search(std::int32_t from, std::int32_t to) {
     open_.pop_back();
     if (here.cell == to) return true;
     if (here.cost > costs_[static_cast<std::size_t>(here.cell)]) continue;
-    for (std::int32_t dy = -1; dy <= 1; ++dy) {
-      for (std::int32_t dx = -1; dx <= 1; ++dx) {
-        const std::int32_t x = here.cell % kSide + dx;
-        const std::int32_t y = here.cell / kSide + dy;
-        if (x < 0 || y < 0 || x >= kSide || y >= kSide || (dx == 0 && dy == 0)) continue;
-        const auto next = static_cast<std::size_t>(y * kSide + x);
-        const double effort = 0.5 * (static_cast<double>(effort_[next]) + static_cast<double>(effort_[static_cast<std::size_t>(here.cell)]));
-        const double cost = here.cost + effort * kCell * std::sqrt(static_cast<double>(dx * dx + dy * dy));
-        if (!(cost < costs_[next])) continue;
-        costs_[next] = cost;
-        before_[next] = here.cell;
-        open_.push_back({cost, static_cast<std::int32_t>(next)});
-        std::push_heap(open_.begin(), open_.end(), later);
-      }
-    }
+    const double effort_here = effort_[static_cast<std::size_t>(here.cell)];
+    for_each_near(here.cell, 1, kSide, [&](std::int32_t near, std::int32_t dx, std::int32_t dy) {
+      const auto next = static_cast<std::size_t>(near);
+      const double effort = 0.5 * (static_cast<double>(effort_[next]) + effort_here);
+      const double cost = here.cost + effort * kCell * std::sqrt(static_cast<double>(dx * dx + dy * dy));
+      if (!(cost < costs_[next])) return;
+      costs_[next] = cost;
+      before_[next] = here.cell;
+      open_.push_back({cost, near});
+      std::push_heap(open_.begin(), open_.end(), later);
+    });
   }
   return false;
 }
