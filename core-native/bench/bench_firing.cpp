@@ -1,6 +1,7 @@
 // What a firing costs in buildings of different size: the same walk, through offices that are in both.
 #include <benchmark/benchmark.h>
 
+#include <cstdint>
 #include <cstdlib>
 
 #include "echoway/sim/random_walk.hpp"
@@ -11,14 +12,15 @@
 namespace echoway {
 namespace {
 
-constexpr int kFewRooms = 51;   // One floor.
+constexpr int kFewRooms = 51;                    // One floor.
+constexpr std::uint64_t kOrdinaryWalk = 6;       // Tracked all the way: searching costs more the larger the building.
 
 const sim::Simulation& walk_on_one_floor() {
   static const sim::Simulation walk = [] {
     sim::RandomWalkOptions options;
     options.duration_s = 60.0;
-    const Building floor = office_block(kFewRooms);
-    auto run = sim::simulate(floor, sim::random_walk(floor, options, 5));
+    const Building floor = load_office_block(kFewRooms);
+    auto run = sim::simulate(floor, sim::random_walk(floor, options, kOrdinaryWalk));
     if (!run) std::abort();
     return std::move(*run);
   }();
@@ -27,7 +29,7 @@ const sim::Simulation& walk_on_one_floor() {
 
 void track(benchmark::State& state) {
   const sim::Simulation& walk = walk_on_one_floor();
-  const Building building = office_block(static_cast<int>(state.range(0)));
+  const Building building = load_office_block(static_cast<int>(state.range(0)));
   const TruthRow& first = walk.truth.front();
   Start start;
   start.room = building.find_room(first.room);

@@ -7,33 +7,10 @@
 #include "../test/support/plans.hpp"
 #include "echoway/random.hpp"
 #include "echoway/routing/router.hpp"
+#include "office_block.hpp"
 
 namespace echoway {
 namespace {
-
-/// A hall with 50 offices, twenty times, stacked and joined by stairs at both ends: 1,020 rooms.
-Building thousand_rooms() {
-  Building b;
-  for (int level = 0; level < 20; ++level) {
-    const auto base = static_cast<RoomIndex>(b.rooms.size());
-    Building floor = test::make_office_floor(25);
-    for (Room& room : floor.rooms) {
-      room.id.append("-").append(std::to_string(level));
-      room.level = level;
-      b.rooms.push_back(std::move(room));
-    }
-    for (Door door : floor.doors) {
-      door.room_a += base;
-      door.room_b += base;
-      b.doors.push_back(door);
-    }
-    if (level == 0) continue;
-    const RoomIndex below = base - 51;
-    b.links.push_back({LevelLinkKind::stairs, below, {0.5, 1.2}, base, {0.5, 1.2}});
-    b.links.push_back({LevelLinkKind::elevator, below, {99.5, 1.2}, base, {99.5, 1.2}});
-  }
-  return b;
-}
 
 /// A star-shaped room of 250 teeth: 500 walls, half of them about reflex corners.
 Building toothed_room() {
@@ -52,7 +29,7 @@ Spot anywhere(const Building& b, Random& random) {
 }
 
 void first_answer_in_1000_rooms(benchmark::State& state) {
-  const Building b = thousand_rooms();
+  const Building b = draw_office_block(1000);
   const Router router(b);
   Random random(1);
   for (auto _ : state) {
@@ -64,7 +41,7 @@ void first_answer_in_1000_rooms(benchmark::State& state) {
 BENCHMARK(first_answer_in_1000_rooms)->Unit(benchmark::kMillisecond);
 
 void reroute_in_1000_rooms(benchmark::State& state) {
-  const Building b = thousand_rooms();
+  const Building b = draw_office_block(1000);
   const Router router(b);
   Random random(2);
   const auto tree = router.tree_to({Goal::Kind::spot, 0, anywhere(b, random)});
@@ -74,7 +51,7 @@ void reroute_in_1000_rooms(benchmark::State& state) {
 BENCHMARK(reroute_in_1000_rooms)->Unit(benchmark::kMicrosecond);
 
 void make_router_of_1000_rooms(benchmark::State& state) {
-  const Building b = thousand_rooms();
+  const Building b = draw_office_block(1000);
   for (auto _ : state) benchmark::DoNotOptimize(Router(b).node_count());
 }
 BENCHMARK(make_router_of_1000_rooms)->Unit(benchmark::kMillisecond);

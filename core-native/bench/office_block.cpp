@@ -3,42 +3,39 @@
 #include <algorithm>
 #include <cstdlib>
 #include <string>
+#include <utility>
 
+#include "../test/support/plans.hpp"
 #include "echoway/building/loader.hpp"
 #include "echoway/building/writer.hpp"
 
 namespace echoway {
-namespace {
-
-constexpr int kMostPerFloor = 50;
 
 Building draw_office_block(int rooms) {
-  const int per_floor = std::min(kMostPerFloor, rooms - 1);
-  Building building;
-  building.unit = LengthUnit::metres;
-  const auto add_room = [&](double width, double depth, int level) {
-    Room& room = building.rooms.emplace_back();
-    room.id = std::to_string(building.rooms.size());
-    room.level = level;
-    const Vec2 corners[] = {{0, 0}, {width, 0}, {width, depth}, {0, depth}};
-    for (int i = 0; i < 4; ++i) room.walls.push_back({corners[i], corners[(i + 1) % 4]});
-    return static_cast<RoomIndex>(building.rooms.size() - 1);
-  };
-  for (int level = 0; static_cast<int>(building.rooms.size()) < rooms; ++level) {
-    const RoomIndex corridor = add_room(4.0 * ((per_floor + 1) / 2), 2.4, level);
-    for (int i = 0; i < per_floor; ++i) {
-      const bool below = i % 2 == 0;
-      const RoomIndex office = add_room(3.9, 5.0, level);
-      const double x = 4.0 * (i / 2) + 1.0;
-      building.doors.push_back({corridor, {x, below ? -0.05 : 2.45}, office, {1.0, below ? 5.05 : -0.05}, 0.9});
-      building.rooms[static_cast<std::size_t>(office)].frame = {{x - 1.0, below ? -5.1 : 2.5}, 0.0};
+  const int per_side = std::clamp((rooms - 1) / 2, 1, 25);
+  const double end = 4.0 * per_side - 0.5;
+  Building block;
+  block.unit = LengthUnit::metres;
+  for (int level = 0; static_cast<int>(block.rooms.size()) < rooms; ++level) {
+    const auto base = static_cast<RoomIndex>(block.rooms.size());
+    Building floor = test::make_office_floor(per_side);
+    const auto below = base - static_cast<RoomIndex>(floor.rooms.size());
+    for (Room& room : floor.rooms) {
+      room.id.append("-").append(std::to_string(level));
+      room.level = level;
+      block.rooms.push_back(std::move(room));
     }
-    if (level > 0) building.links.push_back({LevelLinkKind::stairs, corridor, {0.5, 1.2}, corridor - per_floor - 1, {0.5, 1.2}});
+    for (Door door : floor.doors) {
+      door.room_a += base;
+      door.room_b += base;
+      block.doors.push_back(door);
+    }
+    if (level == 0) continue;
+    block.links.push_back({LevelLinkKind::stairs, below, {0.5, 1.2}, base, {0.5, 1.2}});
+    block.links.push_back({LevelLinkKind::elevator, below, {end, 1.2}, base, {end, 1.2}});
   }
-  return building;
+  return block;
 }
-
-}  // namespace
 
 std::filesystem::path write_office_block(int rooms) {
   const auto dir = std::filesystem::temp_directory_path() / ("echoway-bench-" + std::to_string(rooms));
@@ -47,7 +44,7 @@ std::filesystem::path write_office_block(int rooms) {
   return dir;
 }
 
-Building office_block(int rooms) {
+Building load_office_block(int rooms) {
   const auto dir = write_office_block(rooms);
   auto building = load_building(dir);
   if (!building) std::abort();
