@@ -34,10 +34,6 @@ constexpr double kLongestStep = 1.1;
 constexpr double kSure = 0.9;                     // Probability of the place from which on it is tracked,
 constexpr double kSharp = 1.0;                    // and its standard deviation in metres.
 
-double tempered(double density, double share) noexcept {
-  return share < 1.0 ? fast_exp(share * fast_log(density)) : density;
-}
-
 }  // namespace
 
 void BayesLocator::Core::on_motion(const MotionHint& hint) {
@@ -116,7 +112,7 @@ Record BayesLocator::Core::take_down(const Firing& firing, double seconds) {
 
 void BayesLocator::Core::follow_movement(const Interval& interval) {
   const double seen = wrap_angle(estimate_.pose.heading - last_heading_);
-  const double turn = interval.turn_known ? interval.turn - summary_.gyro_bias * interval.seconds : seen;
+  const double turn = interval.turn_known ? interval.turn_without(summary_.gyro_bias) : seen;
   const double forward = estimate_.speed_mps * interval.seconds;
   last_heading_ = estimate_.pose.heading;
   novelty_.move(std::abs(forward), std::abs(turn));
@@ -124,16 +120,7 @@ void BayesLocator::Core::follow_movement(const Interval& interval) {
 }
 
 Shot BayesLocator::Core::aim(const Record& record) const {
-  Shot shot;
-  shot.sensor = record.sensor;
-  shot.bearing = bearings_[static_cast<std::size_t>(record.sensor)];
-  shot.bearing_rad = belt_.bearing(record.sensor);
-  shot.radius = belt_.radius_m;
-  shot.range = record.range;
-  shot.echo = record.echo;
-  shot.trust = record.trust;
-  shot.novelty = record.novelty;
-  return shot;
+  return shot_of(record, belt_, bearings_[static_cast<std::size_t>(record.sensor)]);
 }
 
 // One firing for the belief and for its rival, if there is one.

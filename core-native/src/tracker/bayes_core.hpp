@@ -86,7 +86,7 @@ class BayesLocator::Core {
   [[nodiscard]] std::uint64_t search_pause() const;
   [[nodiscard]] double handicap() const;
   [[nodiscard]] bool hears_far() const;
-  [[nodiscard]] tracker::Search::Tools tools() const;
+  [[nodiscard]] tracker::SearchTools tools() const;
 
   const Building& building_;
   BeltConfig belt_;

@@ -41,7 +41,7 @@ constexpr int kFarEchoes = 2;                        // One may be a ghost.
 
 }  // namespace
 
-Search::Tools BayesLocator::Core::tools() const {
+SearchTools BayesLocator::Core::tools() const {
   const EchoModel& model = hearing_test_ == HearingTest::running ? deafened_ : *model_;
   return {model,     scene_, motion_, belt_, history_, building_, log_scale_, std::max(log_scale_sigma_, kLeastScaleSigma),
           main_.empty() ? 0.0 : summary_.gyro_bias, pace_};
@@ -99,9 +99,7 @@ void BayesLocator::Core::start_recovery() {
 // The estimate's heading at an earlier firing, by the gyroscope: a search begins where its window does.
 double BayesLocator::Core::heading_at(std::uint64_t firing) const {
   double heading = estimate_.pose.heading;
-  for (std::uint64_t n = firing + 1; n < history_.end(); ++n) {
-    heading -= history_[n].interval.turn - summary_.gyro_bias * history_[n].interval.seconds;
-  }
+  for (std::uint64_t n = firing + 1; n < history_.end(); ++n) heading -= history_[n].interval.turn_without(summary_.gyro_bias);
   return wrap_angle(heading);
 }
 

@@ -31,10 +31,6 @@ EchoModel::EchoModel(const BeltConfig& belt, const EchoModelParameters& p) {
   half_beam_sine_ = std::sin(half);
   half_beam_cosine_ = std::cos(half);
   beam_scale_ = (kBeamEntries - 1) / std::sin(cut_off);
-  constexpr double kSlack = 1.0001;   // The tables round.
-  const double fine_cut_off = std::min(half + kLogisticTail * fine_width + degrees(0.2), cut_off);
-  fine_cut_off_sine2_ = kSlack * std::sin(fine_cut_off) * std::sin(fine_cut_off);
-  coarse_cut_off_sine2_ = kSlack * std::sin(cut_off) * std::sin(cut_off);
   for (std::size_t i = 0; i < kBeamEntries - 1; ++i) {
     const double angle = std::asin(static_cast<double>(i) / beam_scale_);
     const double fine = (half - angle) / fine_width;

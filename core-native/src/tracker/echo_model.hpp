@@ -60,9 +60,6 @@ class EchoModel {
     return table[i] + f * (table[i + 1] - table[i]);
   }
 
-  /// Square of a sine beyond which nothing answers for sure.
-  [[nodiscard]] double cut_off_sine2(bool coarse) const noexcept { return coarse ? coarse_cut_off_sine2_ : fine_cut_off_sine2_; }
-
   /// Factor for kind and distance.
   [[nodiscard]] double reach(scene::ReflectorKind kind, double distance) const noexcept {
     const auto& table = reach_[static_cast<std::size_t>(kind)];
@@ -81,8 +78,15 @@ class EchoModel {
     return cosine > rough_cosine_ && distance < rough_range_ ? rough_ * std::min(1.0, 2.0 * (1.0 - distance / rough_range_)) : 0.0;
   }
 
-  [[nodiscard]] double ghost_density() const noexcept { return ghost_density_; }
-  [[nodiscard]] double deaf() const noexcept { return deaf_; }
+  /// Density of an echo at `range`, per metre: `explained` by the plan (chance times Gaussian, summed), by what is not in it
+  /// behind what failed to answer (`survival`: probability that nothing nearer did), or `again`, known to answer now.
+  [[nodiscard]] double echo(double explained, double survival, double range, double again = 0.0) const noexcept {
+    return heard() * (quiet_ * explained + survival * unexplained(range) + again) + ghost_density_;
+  }
+  /// Probability of no echo where nothing in the plan answers with probability `survival`.
+  [[nodiscard]] double silence(double survival) const noexcept { return deaf_ + heard() * quiet_ * survival; }
+  /// Probability that the firing is heard at all.
+  [[nodiscard]] double heard() const noexcept { return 1.0 - deaf_; }
   /// Probability that nothing unmapped answers either.
   [[nodiscard]] double quiet() const noexcept { return quiet_; }
   [[nodiscard]] double variance(double range) const noexcept {
@@ -104,8 +108,6 @@ class EchoModel {
   std::array<std::array<double, kReachEntries>, scene::kReflectorKinds> reach_{};
   std::array<double, kReachEntries> unexplained_{};
   double beam_scale_ = 0.0;
-  double fine_cut_off_sine2_ = 1.0;
-  double coarse_cut_off_sine2_ = 1.0;
   double ghost_density_ = 0.0;
   double quiet_ = 1.0;
   double deaf_ = 0.0;

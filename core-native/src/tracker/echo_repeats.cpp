@@ -14,7 +14,6 @@ constexpr double kSameRange = 0.25;      // and that it does so from the same di
 constexpr double kRangeSigma = 0.08;     // Metres,
 constexpr double kSigmaPerSecond = 0.06; // and for every second since.
 constexpr double kBesideAxis = 0.92;     // Cosine: 23 degrees off the axis.
-constexpr double kInvSqrtTwoPi = 0.3989422804014327;
 constexpr double kGate = 3.5;
 
 double gaussian(double off, double sigma) noexcept {

@@ -65,6 +65,13 @@ namespace echoway::tracker {
   return 2.0 * s * p + static_cast<double>(exponent) * 0.6931471805599453;
 }
 
+inline constexpr double kInvSqrtTwoPi = 0.3989422804014327;
+
+/// `density` to the power of `share`, which is positive and at most 1: what evidence weighs of which only a share is new.
+[[nodiscard]] inline double tempered(double density, double share) noexcept {
+  return share < 1.0 ? fast_exp(share * fast_log(density)) : density;
+}
+
 struct SinCos {
   double sin;
   double cos;

@@ -72,8 +72,6 @@ bool see_point(const Reflector& r, const View& view, ExpectedEcho& echo, Vec2& t
   const Vec2 way = r.a - view.eye;
   const double d2 = squared_norm(way);
   if (!(d2 > kNearest * kNearest) || !(dot(view.axis, way) > 0.0)) return false;
-  const double off = cross(view.axis, way);
-  if (off * off > view.model.cut_off_sine2(view.coarse) * d2) return false;
   const double d = std::sqrt(d2);
   const Vec2 direction = (1.0 / d) * way;
   const double beam = view.model.beam(std::abs(cross(view.axis, direction)), view.coarse);

@@ -8,10 +8,7 @@
 namespace echoway::tracker {
 namespace {
 
-constexpr double kInvSqrtTwoPi = 0.3989422804014327;
-constexpr double kGate2 = 30.0;            // Squared innovations beyond this many variances weigh nothing.
 constexpr double kLeastShare = 1e-3;       // Updates of smaller association probability are skipped.
-constexpr double kSmallest = 1e-12;        // A density never falls below this.
 
 // P h for the measurement direction h = (gx, gy, 0, range).
 struct Direction {
@@ -72,13 +69,25 @@ double remembered(const Particle& p, const Shot& shot, const EchoModel& model) n
 
 }  // namespace
 
+Shot shot_of(const Record& record, const BeltConfig& belt, Vec2 bearing) noexcept {
+  Shot shot;
+  shot.sensor = record.sensor;
+  shot.bearing = bearing;
+  shot.bearing_rad = belt.bearing(record.sensor);
+  shot.radius = belt.radius_m;
+  shot.range = record.range;
+  shot.echo = record.echo;
+  shot.trust = record.trust;
+  shot.novelty = record.novelty;
+  return shot;
+}
+
 Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept {
   const ExpectedEchoes expected = expect(p, shot, model, scene);
   if (!shot.echo) {
     double survival = 1.0;
     for (int j = 0; j < expected.count; ++j) survival *= 1.0 - expected.echo[static_cast<std::size_t>(j)].chance;
-    const double none = model.deaf() + (1.0 - model.deaf()) * model.quiet() * survival;
-    const double silent = shot.trust * none + (1.0 - shot.trust) * model.quiet();
+    const double silent = shot.trust * model.silence(survival) + (1.0 - shot.trust) * model.quiet();
     return {silent, silent, 0.0};
   }
 
@@ -103,15 +112,14 @@ Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene:
     survival *= 1.0 - e.chance;
     if (e.range < shot.range) survival_at_range = survival;
   }
-  const double heard = 1.0 - model.deaf();
   double repeated = 0.0;
   for (const Repeat& r : shot.repeats) repeated += r.density * (1.0 / 255.0) * p.strangers[static_cast<std::size_t>(r.sensor)];
   const double again = survival_at_range * (repeated + remembered(p, shot, model));
-  const double total = heard * (model.quiet() * explained + survival_at_range * model.unexplained(shot.range) + again) + model.ghost_density();
-  const double density = std::max(kSmallest, total);
-  const double plan = std::max(kSmallest, total - heard * again);
+  const double total = model.echo(explained, survival_at_range, shot.range, again);
+  const double density = std::max(kLeastDensity, total);
+  const double plan = std::max(kLeastDensity, total - model.heard() * again);
 
-  const double scale = shot.trust * heard * model.quiet() / density;
+  const double scale = shot.trust * model.heard() * model.quiet() / density;
   double mean_gain = 0.0;
   for (std::size_t j = 0; j < count; ++j) mean_gain += scale * found[j].weight;
   if (mean_gain > kLeastShare) {

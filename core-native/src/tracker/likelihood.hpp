@@ -7,6 +7,7 @@
 #include "tracker/echo_memory.hpp"
 #include "tracker/echo_model.hpp"
 #include "tracker/echo_repeats.hpp"
+#include "tracker/history.hpp"
 #include "tracker/particle.hpp"
 
 namespace echoway::tracker {
@@ -25,6 +26,12 @@ struct Shot {
   double trust = 1.0;       ///< 0: the sensor says nothing, 1: believe the model.
   double novelty = 1.0;     ///< Share of the reading that is not said again: its error is worth so much less often.
 };
+
+/// `bearing`: cos, sin of the sensor's direction on the belt.
+[[nodiscard]] Shot shot_of(const Record& record, const BeltConfig& belt, Vec2 bearing) noexcept;
+
+inline constexpr double kGate2 = 30.0;          ///< Squared innovations beyond this many variances weigh nothing.
+inline constexpr double kLeastDensity = 1e-12;  ///< A density never falls below this.
 
 /// An echo that the map lets a particle expect.
 struct ExpectedEcho {

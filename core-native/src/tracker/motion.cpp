@@ -14,7 +14,7 @@ constexpr double kFurthestAhead = 5.0;      // Seconds that hints may run ahead 
 constexpr double kFastestTurn = 10.0;       // rad/s; nobody turns faster, a gyroscope that says so is broken.
 constexpr double kStepLateness = 0.3;
 constexpr double kRecently = 30.0;          // Seconds since a step for which a detector is fully believed.
-constexpr double kSettled = 1.5;           // Seconds after a step in which the wearer may still be stepping.
+constexpr double kSettled = 1.5;            // Seconds after a step in which the wearer may still be stepping.
 constexpr double kShortestStep = 0.25;      // Seconds between two real steps.
 constexpr double kLongestStep = 2.0;
 constexpr double kDefaultStep = 1.0;
@@ -151,7 +151,6 @@ void HintIntegrator::on_hint(const MotionHint& hint) noexcept {
       const double since = hint.time_s - last_step_;
       if (since < kShortestStep) return;
       if (since < kLongestStep) note_step_interval(since);
-      if (since < kLongestStep) step_interval_ = step_interval_ > 0.0 ? 0.7 * step_interval_ + 0.3 * since : since;
       last_step_ = hint.time_s;
       fresh_step_ = true;
       break;
@@ -161,6 +160,7 @@ void HintIntegrator::on_hint(const MotionHint& hint) noexcept {
 
 void HintIntegrator::note_step_interval(double seconds) noexcept {
   intervals_[interval_count_++ % kIntervals] = seconds;
+  step_interval_ = step_interval_ > 0.0 ? 0.7 * step_interval_ + 0.3 * seconds : seconds;
 }
 
 // A step missed doubles an interval and one invented splits one: the median minds neither.
@@ -215,7 +215,7 @@ void advance(Particle& p, const Interval& interval, const MotionParameters& m, d
   const double before = p.heading;
   if (interval.turn_known) {
     const double root = std::sqrt(dt);
-    p.heading += interval.turn - p.gyro_bias * dt + m.gyro_noise * root * cheap_normal(random);
+    p.heading += interval.turn_without(p.gyro_bias) + m.gyro_noise * root * cheap_normal(random);
     p.gyro_bias += m.gyro_bias_drift * root * cheap_normal(random);
   } else {
     turn_unaided(p, dt, m, random);

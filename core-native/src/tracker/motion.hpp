@@ -47,6 +47,9 @@ struct Interval {
   double seconds = 0.0;
   bool turn_known = false;
   double turn = 0.0;                     ///< Radians, when known; includes the gyroscope's bias.
+
+  /// The turn with that bias (rad/s) taken out.
+  [[nodiscard]] double turn_without(double bias) const noexcept { return turn - bias * seconds; }
 };
 
 /// Integrates motion hints between firings. Late and missing hints are bridged; impossible ones are ignored.

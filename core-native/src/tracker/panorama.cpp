@@ -6,13 +6,6 @@
 #include "tracker/elementary.hpp"
 
 namespace echoway::tracker {
-namespace {
-
-constexpr double kInvSqrtTwoPi = 0.3989422804014327;
-constexpr double kGate2 = 30.0;            // Squared innovations beyond this many variances weigh nothing.
-constexpr double kSmallest = 1e-12;        // A density never falls below this.
-
-}  // namespace
 
 void Panorama::stand_at(RoomIndex room, Vec2 position) noexcept {
   room_ = room;
@@ -44,8 +37,7 @@ const Panorama::Sight& Panorama::towards(double angle, double radius, const Echo
 }
 
 double density_of(const Panorama::Sight& sight, bool echo, double range, const Offset& offset, const EchoModel& model) noexcept {
-  const double heard = 1.0 - model.deaf();
-  if (!echo) return model.deaf() + heard * model.quiet() * sight.silence;
+  if (!echo) return model.silence(sight.silence);
   double survival = 1.0, survival_at_range = 1.0, explained = 0.0;
   for (int j = 0; j < sight.echoes.count; ++j) {
     const ExpectedEcho& e = sight.echoes.echo[static_cast<std::size_t>(j)];
@@ -61,8 +53,7 @@ double density_of(const Panorama::Sight& sight, bool echo, double range, const O
     survival *= 1.0 - e.chance;
     if (expected < range) survival_at_range = survival;
   }
-  const double total = heard * (model.quiet() * explained + survival_at_range * model.unexplained(range)) + model.ghost_density();
-  return std::max(kSmallest, total);
+  return std::max(kLeastDensity, model.echo(explained, survival_at_range, range));
 }
 
 }  // namespace echoway::tracker

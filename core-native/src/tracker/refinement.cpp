@@ -1,6 +1,7 @@
 #include "tracker/refinement.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "tracker/elementary.hpp"
 #include "tracker/floor.hpp"
@@ -13,23 +14,18 @@ constexpr std::size_t kParticlesPerCell = 14;
 constexpr std::size_t kFewest = 400;
 constexpr double kSpread = degrees(1.0);          // Radians by which copies of a particle part.
 
+// A search starts from cells of places: a reading that is not new weighs less, but narrows them all the same.
+Shot shot_of_past(const Record& record, const BeltConfig& belt) noexcept {
+  const SinCos b = fast_sincos(belt.bearing(record.sensor));
+  Shot shot = shot_of(record, belt, {b.cos, b.sin});
+  shot.novelty = 1.0;
+  return shot;
+}
+
 // Replays one firing; `walks` when the way since the firing before counts.
-void replay(Particle& p, const Record& record, bool walks, const SearchTools& tools, Random& random) noexcept {
+void replay(Particle& p, const Record& record, const Shot& shot, bool walks, const SearchTools& tools, Random& random) noexcept {
   if (walks) advance(p, record.interval, tools.motion, tools.pace, random);
-  if (record.trust > 0.0) {
-    const double bearing = tools.belt.bearing(record.sensor);
-    const SinCos b = fast_sincos(bearing);
-    Shot shot;
-    shot.bearing = {b.cos, b.sin};
-    shot.sensor = record.sensor;
-    shot.bearing_rad = bearing;
-    shot.radius = tools.belt.radius_m;
-    shot.range = record.range;
-    shot.echo = record.echo;
-    shot.trust = record.trust;
-    const double density = assimilate(p, shot, tools.model, tools.scene).density;
-    p.weight *= record.novelty < 1.0 ? fast_exp(record.novelty * fast_log(density)) : density;
-  }
+  if (record.trust > 0.0) p.weight *= tempered(assimilate(p, shot, tools.model, tools.scene).density, record.novelty);
   p.weight *= std::max(1e-9, settle_on_floor(p, tools.scene));
 }
 
@@ -49,10 +45,12 @@ bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budg
       if (reached_ == tools.history.end()) return true;
       round_end_ = std::min(reached_ + kRound, tools.history.end());
     }
+    std::array<Shot, kRound> shots;
+    for (std::uint64_t n = reached_; n < round_end_; ++n) shots[n - reached_] = shot_of_past(tools.history[n], tools.belt);
     const auto particles = population_.particles();
     for (; cursor_ < particles.size() && spent < budget; ++cursor_) {
       for (std::uint64_t n = reached_; n < round_end_; ++n, ++spent) {
-        replay(particles[cursor_], tools.history[n], n != first_, tools, random);
+        replay(particles[cursor_], tools.history[n], shots[n - reached_], n != first_, tools, random);
       }
     }
     if (cursor_ < particles.size()) return false;

@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "tracker/elementary.hpp"
-#include "tracker/floor.hpp"
 
 namespace echoway::tracker {
 namespace {
@@ -157,7 +156,7 @@ void Search::reckon(const SearchTools& tools) noexcept {
   for (std::uint64_t n = begin_; n < end; ++n) {
     const Record record = from_begin(tools.history, n);
     const double dt = record.interval.seconds;
-    const double turned = record.interval.turn_known ? record.interval.turn - tools.gyro_bias * dt : 0.0;
+    const double turned = record.interval.turn_known ? record.interval.turn_without(tools.gyro_bias) : 0.0;
     const SinCos mid = fast_sincos(wrap_near(turn + 0.5 * turned));
     way = way + dt * Vec2{mid.cos, mid.sin};
     turn = wrap_near(turn + turned);
@@ -264,20 +263,20 @@ void Search::draw_from_survivors(const SearchTools& tools, Random& random) noexc
 }
 
 // A gyroscope keeps the heading when the place is lost, and while the wearer is carried.
-double Search::log_prior_of_heading(const Particle& p, const Building& building) const noexcept {
+double Search::log_prior_of_heading(const Particle& p, const Building& building, double turned) const noexcept {
   if (!domain_.kept_heading) return 0.0;
   constexpr double kKeptSigma = degrees(15.0);
   constexpr double kKeptShare = 0.98;
   constexpr double kRootTwoPi = 2.5066282746310002;
-  const double now = *domain_.kept_heading + turned_ + building.room(domain_.near_room).frame.heading;
+  const double now = *domain_.kept_heading + turned + building.room(domain_.near_room).frame.heading;
   const double off = wrap_near(building.room(p.room).frame.heading + p.heading - now) / kKeptSigma;
   return fast_log(kKeptShare * kRootTwoPi / kKeptSigma * fast_exp(-0.5 * off * off) + 1.0 - kKeptShare);
 }
 
 // A tracker that lost its hold is most often not far off; being carried elsewhere is rare.
-double Search::log_prior(const Particle& p, const Building& building) const noexcept {
+double Search::log_prior(const Particle& p, const Building& building, double turned) const noexcept {
   if (domain_.near_room == kNoRoom) return 0.0;
-  const double facing = log_prior_of_heading(p, building);
+  const double facing = log_prior_of_heading(p, building, turned);
   if (domain_.within) return facing;
   constexpr double kNearSigma = 2.0;
   constexpr double kNearShare = 0.9997;
@@ -291,14 +290,17 @@ double Search::log_prior(const Particle& p, const Building& building) const noex
   return facing + fast_log(kNearShare * nearness + 1.0 - kNearShare);
 }
 
+double Search::turned_since(const SearchTools& tools) const noexcept {
+  double turned = 0.0;
+  for (std::uint64_t n = end_; n < tools.history.end(); ++n) turned += tools.history[n].interval.turn_without(tools.gyro_bias);
+  return turned;
+}
+
 void Search::finish(const SearchTools& tools) noexcept {
   phase_ = Phase::done;
-  turned_ = 0.0;
-  for (std::uint64_t n = end_; n < tools.history.end(); ++n) {
-    turned_ += tools.history[n].interval.turn - tools.gyro_bias * tools.history[n].interval.seconds;
-  }
+  const double turned = turned_since(tools);
   const auto particles = refinement_.population().particles();
-  for (Particle& p : particles) p.weight *= fast_exp(log_prior(p, tools.building));
+  for (Particle& p : particles) p.weight *= fast_exp(log_prior(p, tools.building, turned));
   const double tried = static_cast<double>(std::max<std::size_t>(tried_, 1));
   log_evidence_ = refinement_.log_evidence() + fast_log(refinement_.population().normalize()) - fast_log(tried);
 }

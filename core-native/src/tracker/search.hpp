@@ -58,9 +58,8 @@ class Search {
   void stop() noexcept { phase_ = Phase::idle; }
   [[nodiscard]] bool running() const noexcept { return phase_ == Phase::sweeping || phase_ == Phase::refining; }
 
-  using Tools = SearchTools;
   /// Works for one slice. Returns true when what was found stands at the present and may be taken.
-  bool work(const Tools& tools, Random& random) noexcept;
+  bool work(const SearchTools& tools, Random& random) noexcept;
 
   /// Puts what was found into `out`, equally weighted; at most its capacity.
   void take(Population& out, Random& random) noexcept;
@@ -82,11 +81,11 @@ class Search {
   [[nodiscard]] bool heading_is_known() const noexcept {
     return domain_.heading || domain_.near_heading || domain_.level_heading;
   }
-  [[nodiscard]] bool next_candidate(const Tools& tools, Vec2& position, double& heading) noexcept;
-  void enter_room(const Tools& tools) noexcept;
-  [[nodiscard]] bool reachable(const Tools& tools) const noexcept;
-  [[nodiscard]] bool worth_trying(const Tools& tools, Vec2 position) const noexcept;
-  [[nodiscard]] Particle candidate(const Tools& tools, RoomIndex room, Vec2 position, double heading, double sigma) const noexcept;
+  [[nodiscard]] bool next_candidate(const SearchTools& tools, Vec2& position, double& heading) noexcept;
+  void enter_room(const SearchTools& tools) noexcept;
+  [[nodiscard]] bool reachable(const SearchTools& tools) const noexcept;
+  [[nodiscard]] bool worth_trying(const SearchTools& tools, Vec2 position) const noexcept;
+  [[nodiscard]] Particle candidate(const SearchTools& tools, RoomIndex room, Vec2 position, double heading, double sigma) const noexcept;
   [[nodiscard]] Record from_begin(const History& history, std::uint64_t number) const noexcept;
   /// One firing as the sweep sees it.
   struct Leg {
@@ -97,18 +96,20 @@ class Search {
     double novelty = 1.0;
     bool echo = false;
   };
-  void reckon(const Tools& tools) noexcept;
-  [[nodiscard]] double log_likelihood(const Tools& tools, const Leg& leg, const SinCos& facing, double heading) noexcept;
-  [[nodiscard]] std::size_t try_candidate(const Tools& tools, Vec2 position, double heading) noexcept;
+  void reckon(const SearchTools& tools) noexcept;
+  [[nodiscard]] double log_likelihood(const SearchTools& tools, const Leg& leg, const SinCos& facing, double heading) noexcept;
+  [[nodiscard]] std::size_t try_candidate(const SearchTools& tools, Vec2 position, double heading) noexcept;
   void keep(const Survivor& survivor) noexcept;
   void in_order_of_place() noexcept;
-  void draw_from_survivors(const Tools& tools, Random& random) noexcept;
+  void draw_from_survivors(const SearchTools& tools, Random& random) noexcept;
   [[nodiscard]] double heading_cell() const noexcept {
     return heading_is_known() ? domain_.heading_sigma : parameters_.heading_step;
   }
-  void finish(const Tools& tools) noexcept;
-  [[nodiscard]] double log_prior_of_heading(const Particle& particle, const Building& building) const noexcept;
-  [[nodiscard]] double log_prior(const Particle& particle, const Building& building) const noexcept;
+  void finish(const SearchTools& tools) noexcept;
+  [[nodiscard]] double turned_since(const SearchTools& tools) const noexcept;
+  /// `turned`: by the wearer since the search began, radians.
+  [[nodiscard]] double log_prior_of_heading(const Particle& particle, const Building& building, double turned) const noexcept;
+  [[nodiscard]] double log_prior(const Particle& particle, const Building& building, double turned) const noexcept;
 
   [[nodiscard]] std::size_t budget() const noexcept {
     if (domain_.near_room == kNoRoom) return parameters_.budget;
@@ -140,7 +141,6 @@ class Search {
   std::size_t count_ = 0;
   Refinement refinement_;
   double log_evidence_ = 0.0;
-  double turned_ = 0.0;                  ///< By the wearer since the search began, radians.
 };
 
 }  // namespace echoway::tracker
