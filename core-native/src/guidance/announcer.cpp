@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "echoway/units.hpp"
 
@@ -39,17 +40,19 @@ bool steers(CueKind kind) noexcept {
   return kind == CueKind::turn || kind == CueKind::bear || kind == CueKind::go_straight;
 }
 
+/// Lines by which a lost wearer is found again.
+bool searches(CueKind kind) noexcept {
+  return kind == CueKind::uncertain || kind == CueKind::probe_turn || kind == CueKind::probe_step;
+}
+
 bool instructs(const Cue& cue) noexcept {
   switch (cue.kind) {
     case CueKind::stop:
-    case CueKind::uncertain:
-    case CueKind::probe_turn:
-    case CueKind::probe_step:
     case CueKind::arrived:
     case CueKind::take_link:
       return true;
     default:
-      return steers(cue.kind) || (cue.tail.present && steers(cue.tail.kind));
+      return searches(cue.kind) || steers(cue.kind) || (cue.tail.present && steers(cue.tail.kind));
   }
 }
 
@@ -134,6 +137,11 @@ bool Announcer::offer(Cue cue, double now, bool asked) {
   speaking_ = cue.urgency;
   said_[said_count_ % kMemory] = cue;
   if (instructs(cue)) {
+    if (!searches(cue.kind)) arrived_ = false;
+    if (searches(cue.kind) && instructed_ && instruction_.kind == CueKind::arrived) {
+      arrived_ = true;
+      arrival_ = instruction_;
+    }
     instruction_ = cue;
     instructed_ = true;
   }
@@ -145,6 +153,12 @@ bool Announcer::offer(Cue cue, double now, bool asked) {
   queue_[(head_ + size_) % kQueue] = cue;
   ++size_;
   return true;
+}
+
+void Announcer::forget_search() noexcept {
+  if (!instructed_ || !searches(instruction_.kind)) return;
+  instruction_ = arrival_;
+  instructed_ = std::exchange(arrived_, false);
 }
 
 void Announcer::answer(double now) {

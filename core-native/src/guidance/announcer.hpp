@@ -34,6 +34,8 @@ class Announcer {
   void answer(double now);
   /// The last instruction has been carried out: saying it again would mislead.
   void forget_instruction() noexcept { instructed_ = false; }
+  /// The place is known again: what a lost wearer was asked to do is no longer wanted. "Arrived" stays true.
+  void forget_search() noexcept;
 
   /// When the line that is being spoken ends.
   [[nodiscard]] double free_at() const noexcept { return free_at_; }
@@ -56,6 +58,8 @@ class Announcer {
   std::size_t said_count_ = 0;
   Cue instruction_{};               ///< The last line that told the wearer to do something.
   bool instructed_ = false;
+  Cue arrival_{};                   ///< The instruction before the search that began last.
+  bool arrived_ = false;            ///< It was "arrived".
   bool again_ = false;
   std::array<Cue, kQueue> queue_{};
   std::size_t head_ = 0;

@@ -4,6 +4,7 @@
 
 #include "echoway/guidance/guide_config.hpp"
 #include "echoway/locate/estimate.hpp"
+#include "echoway/routing/router.hpp"
 
 namespace echoway::guidance {
 
@@ -12,13 +13,13 @@ class Certainty {
  public:
   enum class Level : std::uint8_t { lost, vague, sure };
 
-  explicit Certainty(const GuideConfig& config) : config_(&config) {}
+  Certainty(const Router& router, const GuideConfig& config) : router_(&router), config_(&config) {}
 
   /// Takes a new estimate in. `suspended`: echoes need not fit now (stairs), so a loss is not counted.
   void update(const Estimate& estimate, bool suspended) noexcept;
 
   [[nodiscard]] Level level() const noexcept { return level_; }
-  /// True for a moment after the place has jumped as nobody walks: it was wrong before, or is now.
+  /// True for a moment after the place has jumped as nobody walks or turns: it was wrong before, or is now.
   [[nodiscard]] bool jumped(double now) const noexcept { return now - jumped_s_ < config_->settle_s; }
   /// Whether the last estimate alone says that the place is known.
   [[nodiscard]] bool fits_now() const noexcept { return fits_now_; }
@@ -26,11 +27,23 @@ class Certainty {
   [[nodiscard]] bool was_sure() const noexcept { return was_sure_; }
 
  private:
-  [[nodiscard]] bool place_jumps(const Estimate& estimate) noexcept;
+  [[nodiscard]] bool is_place(const Estimate& estimate) const noexcept;
+  [[nodiscard]] double heading_of(const Estimate& estimate) const noexcept;
+  [[nodiscard]] bool follow(const Estimate& estimate) noexcept;
+  [[nodiscard]] bool is_within_walk(const Estimate& estimate) const noexcept;
+  [[nodiscard]] bool has_moved_away(const Estimate& estimate, bool suspended) noexcept;
+  void set_home(const Estimate& estimate) noexcept;
+  void become(Level level, double now) noexcept;
 
+  const Router* router_;
   const GuideConfig* config_;
   Estimate last_{};
+  Estimate home_{};              ///< Where the wearer was when the place was last believed.
   double jumped_s_ = -1e300;
+  double away_since_ = -1.0;     ///< Since when the place is none that can be walked to from there; negative: it is not so.
+  double walked_ = 0.0;          ///< Metres since `home_`,
+  double turned_ = 0.0;          ///< and radians, left is positive.
+  double proof_ = 0.0;           ///< Radians turned to either side since the place was lost or has jumped.
   Level level_ = Level::lost;
   bool was_sure_ = false;
   bool fits_now_ = false;

@@ -29,12 +29,14 @@ constexpr double kWorthBending = degrees(4.0);
 /// Beside the middle of a doorway by this much still goes through, metres.
 constexpr double kDoorMiss = 0.18;
 
-/// Who is to walk on must not have a wall before them as near as this, metres.
-constexpr double kFaceWall = 0.65;
-/// Nor a thing that no plan knows, of which only some points are known.
+/// What a turn must leave free, first what is best; where there is so little room, less must do.
+constexpr std::array<Demand, 3> kDemands{{{}, {0.55, 1.0}, {0.5, 0.0}}};
+/// Who is to walk on must not have a thing before them that no plan knows, of which only some points are known, metres.
 constexpr double kFaceThing = 0.4;
 /// How ill a turn is made.
 constexpr double kWobble = degrees(8.0);
+/// Places at most this far apart are looked at on the way to where a turn is made, metres.
+constexpr double kStops = 0.3;
 /// What walkers who were told the same may be apart in time, seconds: at first, and once their reaction is known.
 constexpr double kStranger = 0.35;
 constexpr double kAcquaintance = 0.15;
@@ -147,21 +149,25 @@ void Follower::learn_reaction(const Estimate& e) noexcept {
 }
 
 /// True when a wearer who does as `cue` says, where and when they will come to it, faces no wall within `needed` metres.
-bool Follower::clear_ahead(const View& view, const Cue& cue, double direction, double needed) const noexcept {
+bool Follower::clear_ahead(const View& view, const Cue& cue, double direction, const Demand& demand) const noexcept {
   const Pose2& pose = view.estimate->pose;
   const FreeSpace& space = router_->space(view.estimate->room);
   const double spread = reactions_ < 2 ? kStranger : kAcquaintance;
   const Vec2 ahead = unit_from_angle(pose.heading);
-  const double sigma = std::min(view.estimate->sigma_m, 0.2);
-  const double play = spread * view.speed + 1.5 * sigma;
+  const double blur = demand.sigmas * std::min(view.estimate->sigma_m, 0.2);
+  const double needed = demand.free_m;
   const double until_wall = std::max(0.0, space.reach(pose.position, ahead, 10.0) - config_->body_m);
-  const double due = lead(view, cue);
-  // Here too: somebody who touches a wall meanwhile stands still and does it there.
-  for (const double on : {due - play, due + play, 0.0}) {
-    const Vec2 there = pose.position + std::min(on, until_wall) * ahead;
+  const double drift = direction == 0.0 ? 0.0 : std::sin(kWobble);  // who goes on anyhow is no worse off than they were
+  const double latest = lead(view, cue) + spread * view.speed + blur;
+  // All the way there too: somebody who touches a wall meanwhile stands still and does it where they are.
+  const int stops = 1 + static_cast<int>(std::ceil(latest / kStops));
+  for (int i = 0; i <= stops; ++i) {
+    const double on = std::min(latest * i / stops, until_wall);
+    const Vec2 there = pose.position + on * ahead;
+    const double play = blur + on * drift;
     for (const double side : {-1.0, 1.0}) {
-      const Vec2 way = unit_from_angle(pose.heading + understood(direction) + side * kWobble);
-      for (const double error : {-sigma, sigma}) {
+      const Vec2 way = unit_from_angle(pose.heading + direction + side * kWobble);
+      for (const double error : {-play, play}) {
         if (space.reach(there + error * perpendicular(way), way, needed) < needed) return false;
         const double elbow = std::min(needed, kFaceThing);
         if (hindrances_.reach(view.estimate->room, view.now, there, way, elbow) < elbow) return false;
@@ -403,7 +409,7 @@ bool Follower::on_stairs(const Estimate& e) noexcept {
   return true;
 }
 
-void Follower::update(const Estimate& e, bool vague, Announcer& voice) {
+void Follower::update(const Estimate& e, bool vague, bool turning, Announcer& voice) {
   learn_reaction(e);
   const bool sent_off = landing_ != kNoRoom;
   if (!active() || e.time_s < next_look_ || on_stairs(e)) return;
@@ -415,10 +421,12 @@ void Follower::update(const Estimate& e, bool vague, Announcer& voice) {
     }
     return;
   }
+  if (e.room != in_room_) in_room_since_ = e.time_s;
+  in_room_ = e.room;
   const View view = look(e, vague);
   note_progress(view);
   if (linger(view) || arrive(view, voice) || take_link(view, voice) || view.now < hold_until_) return;
-  if (halt(view, voice) || steer(view, voice) || go_on(view, voice)) return;
+  if (halt(view, voice) || turning || steer(view, voice) || go_on(view, voice)) return;
   (void)tell_ahead(view, voice);
 }
 
@@ -444,9 +452,14 @@ Cue Follower::goal_cue(CueKind kind) const {
 bool Follower::arrive(const View& view, Announcer& voice) {
   const Waypoint& goal = route_.waypoints.back();
   const Estimate& e = *view.estimate;
-  // Before a doorway the room flickers: who is to go just inside is not there yet.
+  if (goal.room != e.room) return false;
+  // Before a doorway the room flickers: who is to go just inside is not there yet. And who is told that they are there
+  // asks no further.
   constexpr double kSureOfRoom = 0.85;
-  if (goal.room != e.room || (arrived_at_ < 0.0 && e.room_probability < kSureOfRoom)) return false;
+  constexpr double kInRoom = 1.0;  // s
+  const bool known = e.state == TrackState::tracking && e.sigma_m <= config_->found_sigma_m && e.room_probability >= kSureOfRoom &&
+                     view.now - in_room_since_ >= kInRoom;
+  if (arrived_at_ < 0.0 && !known) return false;
   Cue cue = goal_cue(CueKind::arrived);
   // Its first word is enough to stop at.
   const double lead = this->lead(view, make_cue(CueKind::stop));
@@ -527,7 +540,7 @@ bool Follower::halt(const View& view, Announcer& voice) {
   // On the way to a spot before that wall, where the wearer was told to go.
   if (std::abs(view.off) <= config_->ahead_rad && view.target_away < free - config_->body_m) return false;
   const double turn = told(view.off);
-  if (sector_of(turn) != Sector::ahead && clear_ahead(view, cue, turn, kFaceWall)) {
+  if (sector_of(turn) != Sector::ahead && clear_ahead(view, cue, understood(turn), {})) {
     cue.tail = {CueKind::turn, true, turn, -1.0};
   }
   if (!cue.tail.present || !voice.offer(cue, view.now)) return stop_walker(view, voice);
@@ -552,7 +565,7 @@ bool Follower::stop_walker(const View& view, Announcer& voice) {
 
 /// A turn would face the wearer with a wall. Walkers are stopped first, where it is to be made. Whoever stands is sent
 /// another way by a step or two, from where the turn can be told.
-bool Follower::turn_in_tight_spot(const View& view, Announcer& voice) {
+bool Follower::turn_in_tight_spot(const View& view, const Demand& demand, Announcer& voice) {
   if (view.walking) {
     const Cue stop = make_cue(CueKind::stop);
     if (view.at_turn && view.turn.distance > lead(view, stop)) return true;  // not yet
@@ -575,7 +588,8 @@ bool Follower::turn_in_tight_spot(const View& view, Announcer& voice) {
       then.pose = {there, wrap_angle(pose.heading + direction)};
       const View seen{.estimate = &then, .now = view.now};
       const double off = told(direction_to(then.pose, view.target));
-      if (!in_reach(then, view.target) || !clear_ahead(seen, make_cue(CueKind::turn), off, kFaceWall)) continue;
+      if (!in_reach(then, view.target) || !clear_ahead(seen, make_cue(CueKind::turn), understood(off), demand)) continue;
+      if (!clear_ahead(view, make_cue(CueKind::turn), direction, demand)) continue;
       best = cost;
       way = direction;
       length = step;
@@ -603,7 +617,13 @@ bool Follower::say_turn(const View& view, Announcer& voice) {
   cue.direction = turn;
   cue.has_direction = true;
   const bool again = view.walking && voice.is_free(view.now) && !voice.would_speak(cue, view.now);
-  if ((again || !clear_ahead(view, cue, turn, kFaceWall)) && turn_in_tight_spot(view, voice)) return true;
+  if (again && turn_in_tight_spot(view, {}, voice)) return true;
+  // In a tight spot less must do, rather than nothing; a walker is stopped instead.
+  for (const Demand& demand : kDemands) {
+    if (clear_ahead(view, cue, understood(turn), demand)) break;
+    if (turn_in_tight_spot(view, demand, voice)) return true;
+    if (view.walking) break;
+  }
   const bool astray = route_.cost > least_cost_ + config_->wrong_way_m + 2.0 * view.estimate->sigma_m;
   if (new_way_ || (astray && std::abs(view.off) > degrees(100.0))) {
     cue.tail = {CueKind::turn, true, turn, -1.0};
@@ -667,7 +687,8 @@ bool Follower::go_on(const View& view, Announcer& voice) {
   if (view.at_turn) along += view.turn.run_out;
   else if (view.turn.present && along < kAtHand) along = view.target_away;
   if (view.walking && along < lead(view, cue)) return false;
-  if (!amend && !clear_ahead(view, cue, 0.0, std::min(kFaceWall, 0.8 * along))) return false;
+  const double free = std::min(Demand{}.free_m, 0.8 * along);
+  if (!clear_ahead(view, cue, amend ? view.off : 0.0, {free, Demand{}.sigmas})) return false;
   cue.distance_m = along;
   cue.sigma_m = view.estimate->sigma_m;
   if (new_way_) {
@@ -746,7 +767,8 @@ CueTail Follower::next_step(const Estimate& e) {
   const View view = look(e, false);
   straight_due_ = true;
   new_way_ = false;
-  if (std::abs(view.off) <= config_->ahead_rad) return {};
+  const Cue turn = make_cue(CueKind::turn);
+  if (std::abs(view.off) <= config_->ahead_rad || !clear_ahead(view, turn, understood(view.off), {})) return {};
   hold_until_ = e.time_s + 3.0;
   return {CueKind::turn, true, view.off, -1.0};
 }

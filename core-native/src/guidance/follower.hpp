@@ -13,6 +13,12 @@
 
 namespace echoway::guidance {
 
+/// What an instruction must leave free.
+struct Demand {
+  double free_m = 0.65;  ///< Ahead, once it has been carried out.
+  double sigmas = 1.5;   ///< How far the position may be off, in its standard deviations.
+};
+
 /// Leads a wearer whose position is known along a way that is laid out anew from wherever they are.
 class Follower {
  public:
@@ -27,8 +33,9 @@ class Follower {
   [[nodiscard]] bool active() const noexcept { return mode_ != Mode::none; }
   [[nodiscard]] const Route& route() const noexcept { return route_; }
 
-  /// Offers at most one line to `voice`. `vague`: only coarse instructions.
-  void update(const Estimate& estimate, bool vague, Announcer& voice);
+  /// Offers at most one line to `voice`. `vague`: only coarse instructions. `turning`: the wearer turns just now and is not
+  /// told where to go before they stand still.
+  void update(const Estimate& estimate, bool vague, bool turning, Announcer& voice);
 
   /// Something that no plan knows stands at `at` in the wearer's room: the way is laid round it.
   void note_obstacle(const Estimate& estimate, Vec2 at) noexcept { hindrances_.hear(estimate.room, at, estimate.time_s); }
@@ -63,7 +70,7 @@ class Follower {
   void time_reaction(const View& view, const Cue& cue) noexcept;
   /// How far a walker goes while `cue` is spoken and until they act on it.
   [[nodiscard]] double lead(const View& view, const Cue& cue) const noexcept;
-  [[nodiscard]] bool clear_ahead(const View& view, const Cue& cue, double direction, double needed) const noexcept;
+  [[nodiscard]] bool clear_ahead(const View& view, const Cue& cue, double direction, const Demand& demand) const noexcept;
   [[nodiscard]] bool grazes(const View& view) const noexcept;
   void note_touch(const View& view) noexcept;
   [[nodiscard]] BoundFor bound_for(const Estimate& estimate) const;
@@ -84,7 +91,7 @@ class Follower {
   [[nodiscard]] bool tell_link(const View& view, std::int32_t link, double along, Vec2 at, Announcer& voice);
   [[nodiscard]] bool say_turn(const View& view, Announcer& voice);
   [[nodiscard]] bool stop_walker(const View& view, Announcer& voice);
-  [[nodiscard]] bool turn_in_tight_spot(const View& view, Announcer& voice);
+  [[nodiscard]] bool turn_in_tight_spot(const View& view, const Demand& demand, Announcer& voice);
   void hold_after(const Cue& cue, const View& view);
   [[nodiscard]] bool still_bound_for(const Estimate& estimate) const;
   [[nodiscard]] Cue goal_cue(CueKind kind) const;
@@ -127,6 +134,8 @@ class Follower {
   std::int32_t told_door_ = -1;
   std::int32_t told_link_ = -1;
   bool told_narrow_ = false;
+  RoomIndex in_room_ = kNoRoom;          ///< The wearer is in this room
+  double in_room_since_ = -1e300;        ///< since then.
   double arrived_at_ = -1.0;             ///< When "arrived" was said; negative before.
   double suspended_until_ = -1e300;
   RoomIndex landing_ = kNoRoom;

@@ -13,6 +13,7 @@
 #include "guidance/obstacle_watch.hpp"
 #include "guidance/probe.hpp"
 #include "guidance/surroundings.hpp"
+#include "guidance/turn_watch.hpp"
 
 namespace echoway {
 
@@ -31,7 +32,7 @@ constexpr double kPassing = 1.8;           ///< Doors, exits, stairs and elevato
 
 struct Guide::Impl {
   Impl(const Router& r, const GuideConfig& c)
-      : router(&r), config(c), voice(config), certainty(config), follower(r, config), obstacles(r, config), heard(config.belt) {
+      : router(&r), config(c), voice(config), certainty(r, config), follower(r, config), obstacles(r, config), heard(config.belt) {
     crumbs.reserve(kCrumbs);
     told_places.resize(r.building().places.size(), false);
   }
@@ -41,7 +42,6 @@ struct Guide::Impl {
   void handle_lost(std::span<const Hypothesis> places);
   [[nodiscard]] bool stop_before_echo();
   [[nodiscard]] Cue probe_cue(std::span<const Hypothesis> places);
-  void note_turning();
   void handle_found();
   void tell_obstacle();
   void note_room();
@@ -63,6 +63,7 @@ struct Guide::Impl {
   guidance::ObstacleWatch obstacles;
   guidance::HealthWatch health;
   guidance::HeardSpace heard;
+  guidance::TurnWatch turning;
   Estimate estimate{};
   std::vector<Spot> crumbs;
   bool was_lost = true;
@@ -71,8 +72,6 @@ struct Guide::Impl {
   double last_probe = -1e300;
   bool probed_by_turn = false;       ///< The last request was to turn.
   double step_direction = 0.0;       ///< Of the last step that was asked for.
-  double turned_s = -1e300;          ///< The wearer was last seen to turn,
-  double turned_from = 0.0;          ///< from this heading.
   RoomIndex room = kNoRoom;          ///< Told last.
   bool room_pending = false;
   double room_since = 0.0;
@@ -148,7 +147,7 @@ void Guide::on_belt_health(const BeltHealth& health, double now_s) {
 
 void Guide::on_restart() {
   Impl& g = *impl_;
-  g.certainty = Certainty(g.config);
+  g.certainty = Certainty(*g.router, g.config);
   g.obstacles.clear();
   g.heard.clear();
   g.follower.start_over();
@@ -179,7 +178,7 @@ void Guide::on_estimate(const Estimate& estimate, std::span<const Hypothesis> hy
   if (!g.position_usable()) judged.state = TrackState::lost;
   const double now = judged.time_s;
   g.certainty.update(judged, now < std::max(g.follower.suspended_until(), g.maybe_climbing_until));
-  if (is_finite(estimate.pose)) g.note_turning();
+  if (is_finite(estimate.pose)) g.turning.update(estimate.pose.heading, now);
   if (g.belt_lost) return;  // said already; nothing that is known now stays known
   if (g.certainty.level() == Certainty::Level::lost) {
     g.handle_lost(hypotheses);
@@ -193,7 +192,8 @@ void Guide::on_estimate(const Estimate& estimate, std::span<const Hypothesis> hy
   g.drop_crumb();
   g.note_room();
   g.tell_obstacle();
-  if (!g.certainty.jumped(now)) g.follower.update(g.estimate, g.certainty.level() == Certainty::Level::vague, g.voice);
+  const bool vague = g.certainty.level() == Certainty::Level::vague;
+  if (!g.certainty.jumped(now)) g.follower.update(g.estimate, vague, g.turning.turning(), g.voice);
   g.tell_pending();
   if (g.follower.active()) return;
   g.tell_in_passing();
@@ -241,7 +241,7 @@ Cue Guide::Impl::probe_cue(std::span<const Hypothesis> places) {
   constexpr double kStill = 1.2;     // s: directions that were heard hold
   const double now = estimate.time_s;
   guidance::Probe probe = guidance::choose_probe(*router, config.belt, places);
-  const bool still = now - turned_s > kStill;
+  const bool still = turning.still_for(kStill, now);
   if (probe.action == guidance::Probe::Action::step && !(still && heard.is_free(probe.direction, kStepFree, now))) {
     probe = {guidance::Probe::Action::turn, kPi / 2, 0.0};
   }
@@ -254,13 +254,6 @@ Cue Guide::Impl::probe_cue(std::span<const Hypothesis> places) {
   return cue;
 }
 
-void Guide::Impl::note_turning() {
-  constexpr double kTurned = degrees(12.0);
-  if (std::abs(wrap_angle(estimate.pose.heading - turned_from)) < kTurned) return;
-  turned_from = estimate.pose.heading;
-  turned_s = estimate.time_s;
-}
-
 void Guide::Impl::handle_found() {
   const double now = estimate.time_s;
   if (!told_lost) {
@@ -269,11 +262,12 @@ void Guide::Impl::handle_found() {
   }
   Cue cue = guidance::room_cue(CueKind::found, estimate.room);
   if (follower.active()) {
-    cue.tail = follower.next_step(estimate);
+    if (!turning.turning()) cue.tail = follower.next_step(estimate);
   } else {
     const Cue door = guidance::nearest_door(*router, estimate);
     if (door.distance_m >= 0.0) cue.tail = {CueKind::door, true, door.direction, -1.0};
   }
+  voice.forget_search();
   if (!voice.offer(cue, now, true)) return;
   was_lost = told_lost = false;
   room = estimate.room;

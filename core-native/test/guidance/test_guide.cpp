@@ -66,6 +66,15 @@ struct Listener {
   std::vector<Cue> stand(double seconds, RoomIndex room, Vec2 position, double heading_deg) {
     return stay(seconds, at(0, room, position, heading_deg));
   }
+  /// Turning slowly on the spot, as a lost wearer is asked to.
+  std::vector<Cue> turn_about(double seconds, RoomIndex room, Vec2 position) {
+    double heading = 0.0;
+    for (const double end = now + seconds; now < end; now += kSlot) {
+      heading += 40.0 * kSlot;
+      guide.on_estimate(at(now, room, position, heading));
+    }
+    return fetch();
+  }
   /// Whole scans in which the front sensor hears `ranges` in turn and the others nothing.
   std::vector<Cue> scan(std::initializer_list<double> ranges, const Estimate& pose) {
     for (const double range : ranges) {
@@ -146,6 +155,22 @@ TEST_F(GuideTest, NobodyHasArrivedInARoomThatTheyMayNotHaveEntered) {
   EXPECT_THAT(kinds(wearer.stand(3.0, 1, {0.5, 2.5}, 0.0)), Contains(CueKind::arrived));
 }
 
+TEST_F(GuideTest, NobodyHasArrivedInARoomThatShowsForAMomentOnly) {
+  ASSERT_TRUE(guide.set_destination({Goal::Kind::spot, 0, {1, {0.7, 2.5}}}));
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_THAT(kinds(wearer.stand(1.2, 0, {4.8, 2.5}, 0.0)), Not(Contains(CueKind::arrived)));
+    EXPECT_THAT(kinds(wearer.stand(0.5, 1, {0.1, 2.5}, 0.0)), Not(Contains(CueKind::arrived)));
+  }
+}
+
+TEST_F(GuideTest, NobodyHasArrivedOnAPlaceThatIsNotKnown) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  (void)wearer.stand(5.0, 1, {2.0, 2.5}, 0.0);
+  Estimate blurred = at(0, 1, {3.3, 3.6}, 45.0);
+  blurred.sigma_m = 1.2;
+  EXPECT_THAT(kinds(wearer.stay(1.4, blurred)), Not(Contains(CueKind::arrived)));
+}
+
 TEST_F(GuideTest, LeadsOnWhoWasTakenToHaveArrivedOnAVaguePlace) {
   ASSERT_TRUE(guide.set_destination("Lectern"));
   Estimate vague = at(0, 1, {3.5, 4.0}, 90.0);
@@ -153,12 +178,12 @@ TEST_F(GuideTest, LeadsOnWhoWasTakenToHaveArrivedOnAVaguePlace) {
   EXPECT_THAT(kinds(wearer.stay(3.0, vague)), Contains(CueKind::arrived));
   (void)wearer.stay(6.0, vague);
   EXPECT_TRUE(guide.has_destination());
-  EXPECT_THAT(kinds(wearer.stand(8.0, 1, {1.5, 2.5}, 180.0)), Contains(CueKind::turn)) << "they are elsewhere after all";
+  EXPECT_THAT(kinds(wearer.stand(8.0, 1, {2.6, 3.2}, 90.0)), Contains(CueKind::turn)) << "they are elsewhere after all";
 }
 
 TEST_F(GuideTest, LostItSaysSoAndNothingElseUntilItIsFound) {
   ASSERT_TRUE(guide.set_destination("Lectern"));
-  (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
+  (void)wearer.stand(5.0, 0, {1, 2.5}, 90.0);
   const auto cues = wearer.stay(30.0, lost(0));
   ASSERT_FALSE(cues.empty());
   EXPECT_EQ(cues.front().kind, CueKind::uncertain);
@@ -238,9 +263,61 @@ TEST_F(GuideTest, EchoesThatDoNotFitAreNoLossYetWhileThePlaceGoesOnSteadily) {
 
 TEST_F(GuideTest, TellsNothingOfTheWayFromAPlaceThatHasJustJumped) {
   ASSERT_TRUE(guide.set_destination({Goal::Kind::spot, 0, {0, {4, 1.0}}}));
-  (void)wearer.stand(10.0, 0, {1, 1.0}, 0.0);
+  (void)wearer.stand(10.0, 0, {2.6, 1.0}, 0.0);
   EXPECT_THAT(wearer.stand(1.5, 0, {4, 1.0}, 0.0), IsEmpty());
   EXPECT_THAT(kinds(wearer.stand(3.0, 0, {4, 1.0}, 0.0)), Contains(CueKind::arrived));
+}
+
+TEST_F(GuideTest, APlaceThatNobodyCanHaveWalkedToIsBelievedOnceItHasStoodATurn) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  (void)wearer.stand(10.0, 0, {1, 2.5}, 0.0);
+  const auto doubted = kinds(wearer.stand(8.0, 3, {1, 2.5}, 0.0));  // no door leads there from room 0
+  EXPECT_THAT(doubted, Contains(CueKind::uncertain));
+  EXPECT_THAT(doubted, Not(Contains(CueKind::turn)));
+  EXPECT_THAT(doubted, Not(Contains(CueKind::found)));
+  EXPECT_THAT(kinds(wearer.turn_about(6.0, 3, {1, 2.5})), Contains(CueKind::found));
+  EXPECT_THAT(kinds(wearer.stand(20.0, 3, {1, 2.5}, 0.0)), Not(Contains(CueKind::uncertain))) << "then it counts";
+}
+
+TEST_F(GuideTest, WhoIsBackWhereTheyWereNeedNotTurnToBeBelieved) {
+  (void)wearer.stand(10.0, 0, {1, 2.5}, 0.0);
+  EXPECT_THAT(kinds(wearer.stand(5.0, 3, {1, 2.5}, 0.0)), Contains(CueKind::uncertain));
+  EXPECT_THAT(kinds(wearer.stand(5.0, 0, {1, 2.5}, 0.0)), Contains(CueKind::found));
+}
+
+TEST_F(GuideTest, WhoTurnsIsToldTheWayOnceTheyStandStill) {
+  (void)wearer.turn_about(2.0, 0, {1, 2.5});
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  const auto meanwhile = kinds(wearer.turn_about(6.0, 0, {1, 2.5}));
+  EXPECT_THAT(meanwhile, Not(Contains(CueKind::turn)));
+  EXPECT_THAT(meanwhile, Not(Contains(CueKind::go_straight)));
+  EXPECT_THAT(kinds(wearer.stand(6.0, 0, {1, 2.5}, 90.0)), Contains(CueKind::turn));
+}
+
+TEST_F(GuideTest, WhoIsFoundWhileTheyTurnIsNotToldWhichWayYet) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
+  (void)wearer.stay(12.0, lost(0));
+  const auto cues = wearer.turn_about(4.0, 0, {1, 2.5});
+  const auto found = std::find_if(cues.begin(), cues.end(), [](const Cue& c) { return c.kind == CueKind::found; });
+  ASSERT_NE(found, cues.end());
+  EXPECT_FALSE(found->tail.present);
+}
+
+TEST_F(GuideTest, WhoMissedThatTheyArrivedMayAskThoughTheyWereLostMeanwhile) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  EXPECT_THAT(kinds(wearer.stand(8.0, 1, {4, 3.6}, 0.0)), Contains(CueKind::arrived));
+  (void)wearer.stay(12.0, lost(0));
+  (void)wearer.turn_about(6.0, 1, {4, 3.6});
+  EXPECT_TRUE(guide.repeat());
+  EXPECT_THAT(kinds(wearer.stand(4.0, 1, {4, 3.6}, 0.0)), Contains(CueKind::arrived));
+}
+
+TEST_F(GuideTest, WhatALostWearerWasAskedToDoIsNotRepeatedOnceTheyAreFound) {
+  (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
+  (void)wearer.stay(12.0, lost(0));
+  EXPECT_THAT(kinds(wearer.stand(4.0, 0, {1, 2.5}, 0.0)), Contains(CueKind::found));
+  EXPECT_FALSE(guide.repeat());
 }
 
 TEST_F(GuideTest, GivesNoPreciseInstructionWhenUnsure) {
@@ -284,19 +361,28 @@ TEST_F(GuideTest, AnswersWhereAmI) {
 }
 
 TEST_F(GuideTest, TellsOfAPlaceOnceAnApproachToWhoWalksWithoutADestination) {
-  const auto walk = [&](double seconds, Vec2 position, double heading_deg) {
-    Estimate e = at(0, 1, position, heading_deg);
-    e.speed_mps = 0.6;
-    return wearer.stay(seconds, e);
+  Estimate e = at(0, 1, {1.0, 1.0}, 0.0);
+  e.speed_mps = 0.6;
+  // Straight there, then on the spot for as long, as if round and round.
+  const auto walk = [&](Vec2 to, double heading_deg) {
+    const Vec2 from = e.pose.position;
+    e.pose.heading = degrees(heading_deg);
+    std::vector<Cue> cues;
+    for (double share = 0.0; share < 2.0; share += 0.01) {
+      e.pose.position = from + std::min(share, 1.0) * (to - from);
+      const auto said = wearer.stay(0.1, e);
+      cues.insert(cues.end(), said.begin(), said.end());
+    }
+    return cues;
   };
-  (void)walk(15.0, {1.0, 1.0}, 0.0);
-  const auto near = walk(20.0, {3.0, 4.0}, 90.0);
+  (void)walk({1.0, 1.0}, 0.0);
+  const auto near = walk({3.0, 4.0}, 90.0);
   ASSERT_EQ(std::count_if(near.begin(), near.end(), [](const Cue& c) { return c.kind == CueKind::place; }), 1);
   const Cue place = *std::find_if(near.begin(), near.end(), [](const Cue& c) { return c.kind == CueKind::place; });
   EXPECT_EQ(sector_of(place.direction), Sector::right);
   EXPECT_EQ(place.urgency, Urgency::place);
-  (void)walk(15.0, {0.2, 0.2}, 0.0);  // out of its reach
-  EXPECT_THAT(kinds(walk(15.0, {3.0, 4.0}, 90.0)), Contains(CueKind::place)) << "another approach";
+  (void)walk({0.2, 0.2}, 0.0);  // out of its reach
+  EXPECT_THAT(kinds(walk({3.0, 4.0}, 90.0)), Contains(CueKind::place)) << "another approach";
   EXPECT_THAT(kinds(wearer.stand(20.0, 0, {2, 2}, 0.0)), Not(Contains(CueKind::place))) << "another room";
 }
 
@@ -371,9 +457,8 @@ TEST_F(GuideTest, TellsOfTheBeltOnceEach) {
 
 TEST_F(GuideTest, LeadsBackTheWayTheWearerCame) {
   (void)wearer.stand(2.0, 0, {1, 1}, 0.0);
-  (void)wearer.stand(1.0, 0, {2.5, 2.5}, 0.0);
-  (void)wearer.stand(1.0, 0, {4, 2.5}, 0.0);
-  (void)wearer.stand(1.0, 1, {1, 2.5}, 0.0);
+  for (const Vec2 on_the_way : {Vec2{2, 2}, {2.5, 2.5}, {3.5, 2.5}, {4.5, 2.5}}) (void)wearer.stand(1.0, 0, on_the_way, 0.0);
+  for (const Vec2 beyond : {Vec2{0.3, 2.5}, {1, 2.5}}) (void)wearer.stand(1.0, 1, beyond, 0.0);
   ASSERT_TRUE(guide.back_track());
   (void)wearer.stand(1.0, 1, {1.6, 2.5}, 0.0);
   const Route& route = guide.route();

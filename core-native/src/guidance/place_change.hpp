@@ -1,0 +1,12 @@
+#pragma once
+
+#include "echoway/locate/estimate.hpp"
+#include "echoway/routing/router.hpp"
+
+namespace echoway::guidance {
+
+/// Metres that somebody has to go at least to get from one place to another: straight within a room, else over a door that
+/// joins the two; infinite where none does. REQUIRES: both are in rooms of the building.
+[[nodiscard]] double least_walk(const Router& router, const Estimate& from, const Estimate& to) noexcept;
+
+}  // namespace echoway::guidance

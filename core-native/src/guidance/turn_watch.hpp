@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cmath>
+
+#include "echoway/geometry/pose2.hpp"
+#include "echoway/units.hpp"
+
+namespace echoway::guidance {
+
+/// Whether the wearer is turning. What is told to somebody who turns is done from where they face by then.
+class TurnWatch {
+ public:
+  void update(double heading, double now) noexcept {
+    constexpr double kWindow = 0.5;           // s
+    constexpr double kTurns = degrees(12.0);  // in that time; a walker veers by less, and so does an estimate
+    if (now - since_ < kWindow) return;
+    turning_ = now - since_ < 2.0 * kWindow && std::abs(wrap_angle(heading - heading_)) > kTurns;
+    if (turning_) turned_s_ = now;
+    heading_ = heading;
+    since_ = now;
+  }
+
+  [[nodiscard]] bool turning() const noexcept { return turning_; }
+  /// True when nobody has turned for so long.
+  [[nodiscard]] bool still_for(double seconds, double now) const noexcept { return now - turned_s_ > seconds; }
+
+ private:
+  double heading_ = 0.0;  ///< At
+  double since_ = -1e300; ///< this time.
+  double turned_s_ = -1e300;
+  bool turning_ = false;
+};
+
+}  // namespace echoway::guidance
