@@ -35,6 +35,8 @@ constexpr std::array<Demand, 3> kDemands{{{}, {0.55, 1.0}, {0.5, 0.0}}};
 constexpr double kFaceThing = 0.4;
 /// How ill a turn is made.
 constexpr double kWobble = degrees(8.0);
+/// A position is taken to be off by so much at most, metres.
+constexpr double kMostBlur = 0.2;
 /// Places at most this far apart are looked at on the way to where a turn is made, metres.
 constexpr double kStops = 0.3;
 /// What walkers who were told the same may be apart in time, seconds: at first, and once their reaction is known.
@@ -148,17 +150,21 @@ void Follower::learn_reaction(const Estimate& e) noexcept {
   reaction_s_ += (std::clamp(after - kSeenAfter, 0.2, 2.0) - reaction_s_) / (reactions_ + 1.0);
 }
 
-/// True when a wearer who does as `cue` says, where and when they will come to it, faces no wall within `needed` metres.
-bool Follower::clear_ahead(const View& view, const Cue& cue, double direction, const Demand& demand) const noexcept {
+/// The latest place on the way straight on where a wearer has done as `cue` says, metres from here.
+double Follower::latest_turn(const View& view, const Cue& cue, double blur) const noexcept {
+  const double spread = reactions_ < 2 ? kStranger : kAcquaintance;
+  return lead(view, cue) + spread * view.speed + blur;
+}
+
+/// True when a wearer who does as `cue` says, where and when they will come to it, faces no wall.
+bool Follower::clear_of_walls(const View& view, const Cue& cue, double direction, const Demand& demand) const noexcept {
   const Pose2& pose = view.estimate->pose;
   const FreeSpace& space = router_->space(view.estimate->room);
-  const double spread = reactions_ < 2 ? kStranger : kAcquaintance;
   const Vec2 ahead = unit_from_angle(pose.heading);
-  const double blur = demand.sigmas * std::min(view.estimate->sigma_m, 0.2);
-  const double needed = demand.free_m;
+  const double blur = demand.sigmas * std::min(view.estimate->sigma_m, kMostBlur);
   const double until_wall = std::max(0.0, space.reach(pose.position, ahead, 10.0) - config_->body_m);
   const double drift = direction == 0.0 ? 0.0 : std::sin(kWobble);  // who goes on anyhow is no worse off than they were
-  const double latest = lead(view, cue) + spread * view.speed + blur;
+  const double latest = latest_turn(view, cue, blur);
   // All the way there too: somebody who touches a wall meanwhile stands still and does it where they are.
   const int stops = 1 + static_cast<int>(std::ceil(latest / kStops));
   for (int i = 0; i <= stops; ++i) {
@@ -168,13 +174,32 @@ bool Follower::clear_ahead(const View& view, const Cue& cue, double direction, c
     for (const double side : {-1.0, 1.0}) {
       const Vec2 way = unit_from_angle(pose.heading + direction + side * kWobble);
       for (const double error : {-play, play}) {
-        if (space.reach(there + error * perpendicular(way), way, needed) < needed) return false;
-        const double elbow = std::min(needed, kFaceThing);
-        if (hindrances_.reach(view.estimate->room, view.now, there, way, elbow) < elbow) return false;
+        if (space.reach(there + error * perpendicular(way), way, demand.free_m) < demand.free_m) return false;
       }
     }
   }
   return true;
+}
+
+/// The same of things that no plan knows.
+bool Follower::clear_of_things(const View& view, const Cue& cue, double direction, const Demand& demand) const noexcept {
+  const Pose2& pose = view.estimate->pose;
+  const Vec2 ahead = unit_from_angle(pose.heading);
+  const double needed = std::min(demand.free_m, kFaceThing);
+  const double play = latest_turn(view, cue, demand.sigmas * std::min(view.estimate->sigma_m, kMostBlur)) - lead(view, cue);
+  const double until_wall = std::max(0.0, router_->space(view.estimate->room).reach(pose.position, ahead, 10.0) - config_->body_m);
+  for (const double on : {lead(view, cue) - play, lead(view, cue) + play, 0.0}) {
+    const Vec2 there = pose.position + std::min(on, until_wall) * ahead;
+    for (const double side : {-1.0, 1.0}) {
+      const Vec2 way = unit_from_angle(pose.heading + direction + side * kWobble);
+      if (hindrances_.reach(view.estimate->room, view.now, there, way, needed) < needed) return false;
+    }
+  }
+  return true;
+}
+
+bool Follower::clear_ahead(const View& view, const Cue& cue, double direction, const Demand& demand) const noexcept {
+  return clear_of_walls(view, cue, direction, demand) && clear_of_things(view, cue, direction, demand);
 }
 
 /// True when a walker who goes on like this brushes a wall before the next point, though the way to it is clear.
@@ -589,7 +614,7 @@ bool Follower::turn_in_tight_spot(const View& view, const Demand& demand, Announ
       const View seen{.estimate = &then, .now = view.now};
       const double off = told(direction_to(then.pose, view.target));
       if (!in_reach(then, view.target) || !clear_ahead(seen, make_cue(CueKind::turn), understood(off), demand)) continue;
-      if (!clear_ahead(view, make_cue(CueKind::turn), direction, demand)) continue;
+      if (!clear_of_walls(view, make_cue(CueKind::turn), direction, demand)) continue;
       best = cost;
       way = direction;
       length = step;
@@ -688,7 +713,9 @@ bool Follower::go_on(const View& view, Announcer& voice) {
   else if (view.turn.present && along < kAtHand) along = view.target_away;
   if (view.walking && along < lead(view, cue)) return false;
   const double free = std::min(Demand{}.free_m, 0.8 * along);
-  if (!clear_ahead(view, cue, amend ? view.off : 0.0, {free, Demand{}.sigmas})) return false;
+  const double direction = amend ? view.off : 0.0;
+  const Demand demand{free, Demand{}.sigmas};
+  if (!clear_of_walls(view, cue, direction, demand) || !(amend || clear_of_things(view, cue, direction, demand))) return false;
   cue.distance_m = along;
   cue.sigma_m = view.estimate->sigma_m;
   if (new_way_) {

@@ -70,6 +70,9 @@ class Follower {
   void time_reaction(const View& view, const Cue& cue) noexcept;
   /// How far a walker goes while `cue` is spoken and until they act on it.
   [[nodiscard]] double lead(const View& view, const Cue& cue) const noexcept;
+  [[nodiscard]] double latest_turn(const View& view, const Cue& cue, double blur) const noexcept;
+  [[nodiscard]] bool clear_of_walls(const View& view, const Cue& cue, double direction, const Demand& demand) const noexcept;
+  [[nodiscard]] bool clear_of_things(const View& view, const Cue& cue, double direction, const Demand& demand) const noexcept;
   [[nodiscard]] bool clear_ahead(const View& view, const Cue& cue, double direction, const Demand& demand) const noexcept;
   [[nodiscard]] bool grazes(const View& view) const noexcept;
   void note_touch(const View& view) noexcept;
