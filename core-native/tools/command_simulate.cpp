@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "echoway/sim/random_walk.hpp"
 #include "echoway/sim/simulate.hpp"
 #include "echoway/sim/walk_file.hpp"
+#include "echoway/text/number.hpp"
 
 namespace echoway::tools {
 namespace {
@@ -49,18 +51,12 @@ Status set_parameter(const std::string& assignment, sim::World& world) {
   const sim::WorldParameter* parameter = sim::find_world_parameter(assignment.substr(0, equals));
   if (equals == std::string::npos) return at("should be name=value");
   if (parameter == nullptr) return at("there is no such parameter; --parameters lists them");
-  double value = 0.0;
-  try {
-    std::size_t used = 0;
-    value = std::stod(assignment.substr(equals + 1), &used);
-    if (used != assignment.size() - equals - 1) return at("the value is no number");
-  } catch (const std::exception&) {
-    return at("the value is no number");
-  }
-  if (!(value >= parameter->low && value <= parameter->high)) {
+  const std::optional<double> value = text::parse_number(assignment.substr(equals + 1));
+  if (!value) return at("the value is no number");
+  if (*value < parameter->low || *value > parameter->high) {
     return at(fmt::format("the value must be from {:g} to {:g}", parameter->low, parameter->high));
   }
-  parameter->set(world, value);
+  parameter->set(world, *value);
   return success();
 }
 

@@ -3,10 +3,10 @@
 #include <fmt/core.h>
 
 #include <array>
-#include <cmath>
-#include <cstdlib>
 #include <string_view>
 #include <vector>
+
+#include "echoway/text/number.hpp"
 
 namespace echoway::tools {
 namespace {
@@ -93,10 +93,8 @@ Result<Start> parse_start(const std::string& text, const Building& building) {
   std::array<std::optional<double>, 3> numbers;
   for (std::size_t i = 1; i < fields.size(); ++i) {
     if (fields[i].empty()) continue;
-    char* end = nullptr;
-    const double value = std::strtod(fields[i].c_str(), &end);
-    if (*end != '\0' || !std::isfinite(value)) return bad_start(text, fmt::format("'{}' is not a number", fields[i]));
-    numbers[i - 1] = value;
+    numbers[i - 1] = echoway::text::parse_number(fields[i]);
+    if (!numbers[i - 1]) return bad_start(text, fmt::format("'{}' is not a number", fields[i]));
   }
   if (numbers[0].has_value() != numbers[1].has_value()) return bad_start(text, "x and y belong together");
   if (numbers[0]) start.position = Vec2{*numbers[0], *numbers[1]};

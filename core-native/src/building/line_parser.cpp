@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "text/number.hpp"
+#include "echoway/text/number.hpp"
 #include "text/utf8.hpp"
 
 namespace echoway {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "text/format.hpp"
-#include "text/number.hpp"
+#include "echoway/text/number.hpp"
 #include "text/tokens.hpp"
 
 namespace echoway::csv {

@@ -5,7 +5,7 @@
 #include "echoway/io/logs.hpp"
 #include "io/csv.hpp"
 #include "io/log_columns.hpp"
-#include "text/number.hpp"
+#include "echoway/text/number.hpp"
 #include "text/tokens.hpp"
 #include "text/utf8.hpp"
 

@@ -1,4 +1,4 @@
-#include "text/number.hpp"
+#include "echoway/text/number.hpp"
 
 #include <locale.h>
 

@@ -7,7 +7,7 @@
 #include "support/process.hpp"
 #include "text/format.hpp"
 #include "text/line_reader.hpp"
-#include "text/number.hpp"
+#include "echoway/text/number.hpp"
 #include "text/tokens.hpp"
 #include "text/utf8.hpp"
 

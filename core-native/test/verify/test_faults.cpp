@@ -10,6 +10,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
 
 #include "echoway/io/logs.hpp"
 #include "faults/fault.hpp"
@@ -105,25 +109,64 @@ TEST(DiskFull, KeepsTheLogThatWasThereBefore) {
 
 TEST(DiskFull, IsReportedForADeviceToo) { EXPECT_FALSE(write_scan_log(long_log(), "/dev/full").ok()); }
 
-TEST(CutLog, IsReadUpToItsLastWholeRowWhereverItIsCut) {
-  const std::string header = "# sensors 15\ntime_s,sensor,range_m\n";
+/// A log's rows when it is read, whatever it holds; nothing when it is refused.
+using CountRows = std::optional<std::size_t> (*)(const fs::path&);
+struct LogKind {
+  const char* name;
+  const char* header;
+  const char* row;  ///< Behind its time.
+  CountRows rows;
+};
+
+void PrintTo(const LogKind& kind, std::ostream* out) { *out << kind.name; }
+
+template <class Log>
+std::optional<std::size_t> size_of(const Result<std::vector<Log>>& log) {
+  return log ? std::optional(log->size()) : std::nullopt;
+}
+
+const LogKind kLogKinds[] = {
+    {"scans", "# sensors 15\ntime_s,sensor,range_m\n", ",3,2.125",
+     [](const fs::path& file) {
+       const Result<ScanLog> log = read_scan_log(file);
+       return log ? std::optional(log->firings.size()) : std::nullopt;
+     }},
+    {"silences", "time_s,sensor,range_m\n", ",3,", [](const fs::path& file) {
+       const Result<ScanLog> log = read_scan_log(file);
+       return log ? std::optional(log->firings.size()) : std::nullopt;
+     }},
+    {"motion", "time_s,kind,value\n", ",yaw_rate_dps,-2.5", [](const fs::path& file) { return size_of(read_motion_log(file)); }},
+    {"truth", "time_s,room,x_m,y_m,heading_deg\n", ",hall,1.5,2,90", [](const fs::path& file) { return size_of(read_truth_log(file)); }},
+    {"track", "time_s,room,x_m,y_m,heading_deg,sigma_m,room_probability,state\n", ",hall,1.5,2,90,0.1,0.99,tracking",
+     [](const fs::path& file) { return size_of(read_track_log(file)); }},
+};
+
+class CutLog : public testing::TestWithParam<LogKind> {};
+
+TEST_P(CutLog, IsReadUpToItsLastWholeRowWhereverItIsCut) {
+  const LogKind& kind = GetParam();
+  const std::string header = kind.header;
   std::string text = header;
-  for (int i = 0; i < 12; ++i) text += std::to_string(0.0625 * i) + "," + std::to_string(i) + "," + (i % 3 == 0 ? "" : "2.125") + "\n";
+  for (int i = 0; i < 12; ++i) text += std::to_string(0.0625 * i) + kind.row + "\n";
   const test::TempDir dir;
+  const fs::path file = dir.path() / "cut.csv";
   for (std::size_t cut = 0; cut <= text.size(); ++cut) {
     const std::string kept = text.substr(0, cut);
-    std::ofstream(dir.path() / "cut.csv", std::ios::binary) << kept;
-    const Result<ScanLog> log = read_scan_log(dir.path() / "cut.csv");
+    std::ofstream(file, std::ios::binary) << kept;
+    const std::optional<std::size_t> rows = kind.rows(file);
     if (cut + 1 < header.size()) {
-      EXPECT_FALSE(log.ok()) << "without its header, cut at " << cut;
+      EXPECT_FALSE(rows) << "without its header, cut at " << cut;
       continue;
     }
-    ASSERT_TRUE(log.ok()) << "cut at " << cut << ": " << log.error().to_string();
-    const auto whole = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), '\n')) - (cut < header.size() ? 1U : 2U);
-    EXPECT_GE(log->firings.size(), whole) << "cut at " << cut;
-    EXPECT_LE(log->firings.size(), whole + 1) << "cut at " << cut;
+    ASSERT_TRUE(rows) << "cut at " << cut;
+    const auto whole = cut < header.size() ? 0U : static_cast<std::size_t>(std::count(kept.begin() + static_cast<std::ptrdiff_t>(header.size()), kept.end(), '\n'));
+    EXPECT_GE(*rows, whole) << "cut at " << cut;
+    EXPECT_LE(*rows, whole + 1) << "cut at " << cut;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Kinds, CutLog, testing::ValuesIn(kLogKinds),
+                         [](const auto& parameter) { return std::string(parameter.param.name); });
 
 }  // namespace
 }  // namespace echoway::faults

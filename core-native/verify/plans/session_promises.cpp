@@ -70,12 +70,24 @@ std::string check(const Route& route, const Building& building) {
   return "";
 }
 
+/// In every language, direction and length.
+bool has_words(const Cue& cue, const Building& building) {
+  for (const Language language : {Language::english, Language::german, Language::french}) {
+    for (const DirectionStyle direction : {DirectionStyle::sides, DirectionStyle::clock, DirectionStyle::degrees}) {
+      for (const LengthStyle length : {LengthStyle::feet, LengthStyle::metres, LengthStyle::steps}) {
+        if (Speaker(building, {language, direction, length}).say(cue).empty()) return false;
+      }
+    }
+  }
+  return true;
+}
+
 template <class Guiding>
 std::string check(Guiding& guiding, const Building& building) {
   Cue cue;
   for (int cues = 0; guiding.next_cue(cue); ++cues) {
     if (std::string broken = check(cue); !broken.empty()) return broken;
-    if (Speaker(building).say(cue).empty()) return "a cue without words";
+    if (!has_words(cue, building)) return "a cue without words";
     if (cues > kMostCues) return "cues without end";
   }
   if (std::string broken = check(guiding.route(), building); !broken.empty()) return broken;
@@ -87,6 +99,8 @@ std::string check(Guiding& guiding, const Building& building) {
 }
 
 }  // namespace
+
+std::string broken_health(const BeltHealth& health) { return check(health); }
 
 std::string broken_guidance(Session& session) { return check(session, session.building()); }
 

@@ -105,6 +105,41 @@ void add_made_up(std::vector<Case>& table) {
   });
 }
 
+/// A walk of a minute and a half after `firings` firings made up by `make`: whatever came before, the wearer is found again.
+Outcome found_after(int firings, const std::function<double(int)>& range) {
+  return still_found(follow(wearer(90.0), nullptr, nullptr, [&](Session& session) {
+    for (int i = 0; i < firings; ++i) session.on_firing({0.0624 * (i - firings), i % 15, range(i)});
+  }));
+}
+
+void add_recoveries(std::vector<Case>& table) {
+  const auto add = [&](std::string title, std::function<Outcome()> run) {
+    table.push_back({"Estimation: found again", std::move(title), std::move(run)});
+  };
+  add("a walk after 10,000 impossible readings: 0.3 m from every sensor", [] {
+    return found_after(10000, [](int) { return 0.3; });
+  });
+  // A walk after 3,000 of them is found; what ten minutes teach about the sensors outlasts a walk.
+  table.back().open = true;
+  add("a walk after 3,000 impossible readings: anything from 0.15 to 10.67 m", [] {
+    Random random(9);
+    return found_after(3000, [&](int) { return random.uniform(0.15, 10.67); });
+  });
+  add("a walk after ten minutes without any echo", [] { return found_after(9616, [](int) { return Firing::kNoEcho; }); });
+  add("a building of one room, one hypothesis", [] {
+    const Building building = plans::alone(plans::l_room("only"));
+    auto opened = Session::open(building, SessionConfig{});
+    if (!opened) return holds("opens", false, opened.error().message);
+    std::string broken;
+    for (int i = 0; i < 1000; ++i) {
+      (*opened)->on_firing(at_slot(i, i % 15 == 0 ? 2.0 : Firing::kNoEcho));
+      if (broken.empty()) broken = plans::broken_promise(**opened);
+    }
+    const bool there = (*opened)->estimate().room == 0;
+    return holds("every promise kept, in that room", broken.empty() && there, broken.empty() ? there ? "kept" : "in no room" : broken);
+  });
+}
+
 void add_starts(std::vector<Case>& table) {
   struct Place {
     const char* title;
@@ -124,6 +159,11 @@ void add_starts(std::vector<Case>& table) {
   table.push_back({"Estimation: starts", "a start with the heading turned by 1e6 times 2 pi", [] {
                      Wearer w = wearer(20.0);
                      w.config.start.heading = 1e6 * kTwoPi;
+                     return still_found(follow(w));
+                   }});
+  table.push_back({"Estimation: starts", "a start with a heading of 1e300 rad, place in the room unknown", [] {
+                     Wearer w = wearer(45.0);
+                     w.config.start = {0, std::nullopt, 1e300};
                      return still_found(follow(w));
                    }});
   table.push_back({"Estimation: starts", "a start that faces the wrong way", [] {
@@ -171,6 +211,22 @@ void add_clocks(std::vector<Case>& table) {
                        return f;
                      }), 1.0);
                    }});
+  table.push_back({"Estimation: clocks", "both clocks stand still for the whole walk", [] {
+                     return honest(follow(wearer(30.0), [](Firing f, int) {
+                       f.time_s = 1.0;
+                       return f;
+                     }, [](MotionHint h, int) {
+                       h.time_s = 1.0;
+                       return h;
+                     }), 1.0);
+                   }});
+  add("both clocks stand still for five seconds", [](Firing f, int) {
+    if (f.time_s > 12.5 && f.time_s < 17.5) f.time_s = 12.5;
+    return f;
+  }, [](MotionHint h, int) {
+    if (h.time_s > 12.5 && h.time_s < 17.5) h.time_s = 12.5;
+    return h;
+  });
   table.push_back({"Estimation: clocks", "firings in pairs the wrong way round", [] {
                      const Wearer w = wearer(30.0);
                      return still_found(follow(w, [&](Firing, int i) {
@@ -336,6 +392,32 @@ void add_same_tracks(std::vector<Case>& table) {
                    }});
 }
 
+/// Where the building lies: all of it, or every room in its own frame, 2^20 m (about 1e6) from the origin, where a double still
+/// tells places 1e-10 m apart.
+void add_far_off(std::vector<Case>& table) {
+  constexpr Vec2 kFar{0x1.0p20, -0x1.0p20};
+  table.push_back({"Estimation: the same building otherwise", "1e6 m off the origin", [=] {
+                     const Wearer w = wearer(30.0);
+                     Building far = w.building;
+                     for (Room& room : far.rooms) room.frame.position = room.frame.position + kFar;
+                     return same_track(w, far, 1e-8, [=](Vec2 p) { return p - kFar; });
+                   }});
+  table.push_back({"Estimation: the same building otherwise", "every room drawn 1e6 m off its own origin", [=] {
+                     Wearer w = wearer(45.0);
+                     for (Room& room : w.building.rooms) {
+                       room = plans::moved(room, {false, 0.0, kFar});
+                       room.frame.position = room.frame.position - kFar;
+                     }
+                     for (Door& door : w.building.doors) {
+                       door.at_a = door.at_a + kFar;
+                       door.at_b = door.at_b + kFar;
+                     }
+                     w.config.start.position = *w.config.start.position + kFar;
+                     for (TruthRow& row : w.walk.truth) row.pose.position = row.pose.position + kFar;
+                     return still_found(follow(w));
+                   }});
+}
+
 /// The walk with unusable inputs between the good ones must give the very same estimate.
 void add_not_numbers(std::vector<Case>& table) {
   table.push_back({"Estimation: NaN and infinity", "in every number of every input, between good ones", [] {
@@ -355,12 +437,18 @@ void add_not_numbers(std::vector<Case>& table) {
                            s.on_motion({f.time_s, kind, bad});
                          }
                          s.on_tick(bad);
+                         s.on_belt_attached(bad);
+                         s.on_belt_detached(bad);
                          const std::array<std::uint8_t, 1> byte{'$'};
                          s.on_bytes(byte, bad);
+                         for (const Vec2 spot : {Vec2{bad, 1.0}, Vec2{1.0, bad}}) {
+                           if (s.set_destination(Goal{Goal::Kind::spot, 0, {0, spot}})) broken = "led to no place";
+                         }
                          for (const Start& start : {Start{0, Vec2{bad, 1.0}, 0.0}, Start{0, Vec2{1.0, bad}, 0.0}, Start{0, Vec2{1.0, 1.0}, bad}}) {
                            if (s.restart(start)) broken = "restarted at no place";
                          }
                          if (broken.empty()) broken = plans::broken_promise(s);
+                         if (broken.empty()) broken = plans::broken_guidance(s);
                        }
                        s.on_firing(f);
                        (*plain)->on_firing(f);
@@ -434,12 +522,14 @@ void add_elementary(std::vector<Case>& table) {
 void add_estimation(std::vector<Case>& table) {
   add_elementary(table);
   add_made_up(table);
+  add_recoveries(table);
   add_starts(table);
   add_clocks(table);
   add_motion(table);
   add_belts(table);
   add_weights(table);
   add_same_tracks(table);
+  add_far_off(table);
   add_not_numbers(table);
 }
 

@@ -7,6 +7,7 @@
 #include "echoway/building/writer.hpp"
 #include "echoway/geometry/inclusion.hpp"
 #include "echoway/io/logs.hpp"
+#include "echoway/sim/walk_file.hpp"
 #include "plans/plans.hpp"
 #include "plans/scratch_folder.hpp"
 #include "stiff/case.hpp"
@@ -187,6 +188,36 @@ void add_not_numbers(std::vector<Case>& table) {
           {"", {"1.5", "a", "1", "2", "90", "0.1", "0.9", "tracking"}, {0, 2, 3, 4, 5, 6}}, read_track_log);
 }
 
+/// Every statement of a walk file that has a number.
+void add_walk_statements(std::vector<Case>& table) {
+  struct Statement {
+    std::vector<std::string> fields;
+    std::vector<std::size_t> numeric;
+    bool before_start = false;
+  };
+  static const std::vector<Statement> kStatements{
+      {{"seed", "1"}, {1}, true},           {{"world", "people_per_100m2", "1"}, {2}, true},
+      {{"belt", "sensors", "15"}, {2}, true}, {{"belt", "radius_m", "0.1"}, {2}, true},
+      {{"belt", "beam_deg", "15"}, {2}, true}, {{"belt", "slot_s", "0.1"}, {2}, true},
+      {{"start", "a", "1", "1", "0"}, {2, 3, 4}, true},
+      {{"to", "a", "1", "1"}, {2, 3}},      {{"speed", "0.5"}, {1}},
+      {{"pause", "1"}, {1}},                {{"turn", "90"}, {1}},
+      {{"face", "90"}, {1}},                {{"teleport", "a", "1", "1", "0"}, {2, 3, 4}},
+      {{"cover", "all", "5"}, {2}},         {{"stuck", "3", "1"}, {2}},
+  };
+  table.push_back({"NaN and infinity", "in every number of a walk file", [] {
+                     int taken = 0;
+                     for (const Statement& s : kStatements) {
+                       taken += accepted(s.fields, s.numeric, ' ', [&](const std::string& line) {
+                         const std::string start = s.fields[0] == "start" ? "" : "start a 1 1 90\n";
+                         const auto walk = sim::parse_walk(s.before_start ? line + start + "pause 1\n" : start + line + "pause 1\n", "walk");
+                         return walk.ok() || !named_line(walk.error());
+                       });
+                     }
+                     return none_accepted(taken);
+                   }});
+}
+
 /// The same plan written in metres and in feet, read back: the largest distance between any two of its points.
 Outcome units_agree() {
   Building building = plans::three_rooms();
@@ -216,6 +247,7 @@ void add_plans(std::vector<Case>& table) {
   add_shapes(table);
   table.push_back({"Plans from files", "the same plan in metres and in feet", units_agree});
   add_not_numbers(table);
+  add_walk_statements(table);
 }
 
 }  // namespace echoway::stiff

@@ -41,7 +41,8 @@ Wearer wearer(double duration_s, const BeltConfig& belt) {
   return w;
 }
 
-Followed follow(const Wearer& wearer, const ChangeFiring& change_firing, const ChangeHint& change_hint) {
+Followed follow(const Wearer& wearer, const ChangeFiring& change_firing, const ChangeHint& change_hint,
+                const std::function<void(Session&)>& before) {
   Followed result;
   auto opened = Session::open(wearer.building, wearer.config);
   if (!opened) {
@@ -49,6 +50,7 @@ Followed follow(const Wearer& wearer, const ChangeFiring& change_firing, const C
     return result;
   }
   Session& session = **opened;
+  if (before) before(session);
   auto hint = wearer.walk.motion.begin();
   int hints = 0;
   const auto& firings = wearer.walk.scans.firings;

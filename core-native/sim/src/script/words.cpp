@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
+
+#include "echoway/text/number.hpp"
 
 namespace echoway::sim {
 namespace {
@@ -41,15 +44,12 @@ Status Words::text(std::string_view what, std::string& out) {
 Status Words::number(std::string_view what, double low, double high, double& out) {
   std::string word;
   if (Status status = text(what, word); !status.ok()) return status;
-  char* end = nullptr;
-  const double value = std::strtod(word.c_str(), &end);
-  if (end == word.c_str() || *end != '\0' || !std::isfinite(value)) {
-    return error("`" + word + "` is no number (" + std::string(what) + ")");
-  }
-  if (value < low || value > high) {
+  const std::optional<double> value = echoway::text::parse_number(word);
+  if (!value) return error("`" + word + "` is no number (" + std::string(what) + ")");
+  if (*value < low || *value > high) {
     return error(std::string(what) + " must be from " + shown(low) + " to " + shown(high) + ", not " + word);
   }
-  out = value;
+  out = *value;
   return success();
 }
 
