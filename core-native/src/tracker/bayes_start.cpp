@@ -60,9 +60,10 @@ BayesLocator::Core::Core(const Building& building, const BeltConfig& belt, const
 
 void BayesLocator::Core::begin() {
   if (start_.room && (*start_.room < 0 || *start_.room >= static_cast<RoomIndex>(building_.rooms.size()))) start_ = {};
+  if (start_.heading && !std::isfinite(*start_.heading)) start_.heading.reset();
+  if (start_.heading) start_.heading = wrap_angle(*start_.heading);  // Whoever says it may have counted the turns.
   if (start_.room && start_.position && can_stand(*start_.room, *start_.position)) {
-    const bool heading_known = start_.heading && std::isfinite(*start_.heading);
-    place_known({*start_.position, heading_known ? wrap_angle(*start_.heading) : 0.0}, *start_.room, heading_known);
+    place_known({*start_.position, start_.heading.value_or(0.0)}, *start_.room, start_.heading.has_value());
   }
   describe_ignorance();
 }
