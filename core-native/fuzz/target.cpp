@@ -9,6 +9,10 @@ std::span<const Target> targets() {
       Target{"building", building},     Target{"sentences", sentences}, Target{"scan_log", scan_log},
       Target{"motion_log", motion_log}, Target{"track_log", track_log}, Target{"session", session},
       Target{"tracker", tracker},       Target{"guidance", guidance},   Target{"jni_layouts", jni_layouts},
+      Target{"thesis", thesis},         Target{"belt", belt},
+#ifdef ECHOWAY_JNI_HEADERS
+      Target{"jni_calls", jni_calls},
+#endif
   };
   return kAll;
 }

@@ -19,13 +19,17 @@ struct Target {
 
 std::string building(Bytes data);
 std::string sentences(Bytes data);
+std::string belt(Bytes data);
 std::string scan_log(Bytes data);
 std::string motion_log(Bytes data);
 std::string track_log(Bytes data);
 std::string session(Bytes data);
+std::string thesis(Bytes data);
 std::string guidance(Bytes data);
 std::string tracker(Bytes data);
 std::string jni_layouts(Bytes data);
+/// Only where a JDK's headers were found.
+std::string jni_calls(Bytes data);
 
 [[nodiscard]] std::span<const Target> targets();
 

@@ -1,6 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "layouts.hpp"
@@ -11,8 +15,32 @@
 namespace echoway::fuzz {
 namespace {
 
-constexpr std::byte kGuard{0xa5};
+constexpr std::uint8_t kGuard{0xa5};
 constexpr std::size_t kGuardBytes = 64;
+constexpr std::size_t kLargestBuffer = 8192;  ///< Most inputs fit; the rest must be refused.
+
+/// A buffer between guards. Filled and compared in one piece each: a loop over bytes is slow under the sanitizers.
+class Guarded {
+ public:
+  explicit Guarded(std::size_t size)
+      : size_(size), memory_(std::make_unique_for_overwrite<std::byte[]>(size + 2 * kGuardBytes)) {
+    std::memset(memory_.get(), kGuard, size + 2 * kGuardBytes);
+  }
+
+  [[nodiscard]] std::span<std::byte> inside() noexcept { return {memory_.get() + kGuardBytes, size_}; }
+  [[nodiscard]] bool front_intact() const noexcept { return intact(0, kGuardBytes); }
+  /// From `used` bytes of the inside on.
+  [[nodiscard]] bool rest_intact(std::size_t used) const noexcept { return intact(kGuardBytes + used, size_ - used + kGuardBytes); }
+
+ private:
+  [[nodiscard]] bool intact(std::size_t begin, std::size_t count) const noexcept {
+    static const std::vector<std::uint8_t> pristine(kLargestBuffer + kGuardBytes, kGuard);
+    return std::memcmp(memory_.get() + begin, pristine.data(), count) == 0;
+  }
+
+  std::size_t size_;
+  std::unique_ptr<std::byte[]> memory_;
+};
 
 Estimate any_estimate(Reader& in) {
   Estimate e;
@@ -46,6 +74,19 @@ std::string any_text(Reader& in) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+/// Fewer than `limit` copies of what `make` makes. (Not `std::vector(in.byte(), ...)`: the compilers disagree on the order of
+/// a call's arguments, and an input must mean the same to all.)
+template <class Make>
+auto copies(Reader& in, std::size_t limit, Make make) {
+  const std::size_t count = in.byte() % limit;
+  return std::vector(count, make());
+}
+
+Vec2 any_point(Reader& in) {
+  const double x = in.number();
+  return {x, in.number()};
+}
+
 Building any_building(Reader& in) {
   Building building = plans::three_rooms();
   building.name = any_text(in);
@@ -53,10 +94,10 @@ Building any_building(Reader& in) {
     room.id = any_text(in);
     room.name = any_text(in);
     room.level = in.integer();
-    room.walls.resize(in.byte(), {{in.number(), in.number()}, {in.number(), in.number()}});
-    room.boundary.resize(in.byte() % 8, std::vector<Vec2>(in.byte() % 8));
+    room.walls = copies(in, 32, [&] { return Segment{any_point(in), any_point(in)}; });
+    room.boundary = copies(in, 8, [&] { return std::vector<Vec2>(in.byte() % 8); });
   }
-  building.places.resize(in.byte() % 16, {in.integer(), {in.number(), in.number()}, any_text(in)});
+  building.places = copies(in, 16, [&] { return Landmark{in.integer(), any_point(in), any_text(in)}; });
   return building;
 }
 
@@ -78,17 +119,15 @@ Cue any_cue(Reader& in) {
 Route any_route(Reader& in) {
   Route route;
   route.length_m = in.number();
-  route.waypoints.resize(in.byte(), {.room = in.integer(), .at = {in.number(), in.number()}});
+  route.waypoints = copies(in, 256, [&] { return Waypoint{.room = in.integer(), .at = any_point(in)}; });
   return route;
 }
 
 /// A cue is cut to the buffer, never dropped.
 std::string check_cue(const Cue& cue, const std::string& words, std::size_t size) {
-  std::vector<std::byte> memory(size + kGuardBytes, kGuard);
-  const std::size_t written = jni::write_cue(cue, words, std::span(memory).first(size));
-  if (!std::all_of(memory.begin() + static_cast<std::ptrdiff_t>(size), memory.end(), [](std::byte b) { return b == kGuard; })) {
-    return "a cue was written behind its buffer";
-  }
+  Guarded memory(size);
+  const std::size_t written = jni::write_cue(cue, words, memory.inside());
+  if (!memory.front_intact() || !memory.rest_intact(size)) return "a cue was written outside its buffer";
   if (size < jni::kCueFixedBytes) return "";
   if (written > size) return "a cue that could be cut did not fit";
   // The words must not end within a character that they hold whole.
@@ -101,31 +140,29 @@ std::string check_cue(const Cue& cue, const std::string& words, std::size_t size
 /// outside, and fill exactly what it says when that fits.
 template <class Write>
 std::string check_writer(std::size_t size, Write write) {
-  std::vector<std::byte> memory(size + 2 * kGuardBytes, kGuard);
-  const std::span<std::byte> out(memory.data() + kGuardBytes, size);
-  const std::size_t needed = write(out);
+  Guarded memory(size);
+  const std::size_t needed = write(memory.inside());
   if (needed != write(std::span<std::byte>{})) return "the size needed depends on the buffer";
-  const auto intact = [](auto first, auto last) { return std::all_of(first, last, [](std::byte b) { return b == kGuard; }); };
-  if (!intact(memory.begin(), memory.begin() + kGuardBytes)) return "wrote in front of the buffer";
-  const auto end = static_cast<std::ptrdiff_t>(kGuardBytes + std::min(needed, size));
-  if (!intact(memory.begin() + end, memory.end())) return "wrote behind what it needs";
-  return "";
+  if (!memory.front_intact()) return "wrote in front of the buffer";
+  return memory.rest_intact(std::min(needed, size)) ? "" : "wrote behind what it needs";
 }
 
 }  // namespace
 
 std::string jni_layouts(Bytes data) {
   Reader in(data);
-  const std::size_t size = in.word();
+  const std::size_t size = in.word() % (kLargestBuffer + 1);
   const Estimate estimate = any_estimate(in);
   const BeltHealth health = any_health(in);
   const Building building = any_building(in);
   const Cue cue = any_cue(in);
   const Route route = any_route(in);
-  const std::vector<Spot> spots(in.byte(), {in.integer(), {in.number(), in.number()}});
-  const std::vector<Hypothesis> hypotheses(in.byte(), {in.integer(), {{in.number(), in.number()}, in.number()}, 0.0, 0.0});
-  const std::vector<ExplainedEcho> echoes(in.byte() % 65U, {.firing = {in.number(), in.byte(), in.number()}});
-  const std::vector<Finding> findings(in.byte(), {Finding::Severity::warning, Finding::Kind::bad_line, any_text(in), in.integer(), any_text(in)});
+  const auto spots = copies(in, 256, [&] { return Spot{in.integer(), any_point(in)}; });
+  const auto hypotheses = copies(in, 256, [&] { return Hypothesis{in.integer(), {any_point(in), in.number()}, 0.0, 0.0}; });
+  const auto echoes = copies(in, kMaxSensors + 1, [&] { return ExplainedEcho{.firing = {in.number(), in.byte(), in.number()}}; });
+  const auto findings = copies(in, 256, [&] {
+    return Finding{Finding::Severity::warning, Finding::Kind::bad_line, any_text(in), in.integer(), any_text(in)};
+  });
   const std::string words = any_text(in);
   std::string broken = check_writer(size, [&](auto out) { return jni::write_estimate(estimate, out); });
   if (broken.empty()) broken = check_writer(size, [&](auto out) { return jni::write_belt_health(health, out); });

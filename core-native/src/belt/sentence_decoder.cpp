@@ -1,5 +1,6 @@
 #include <charconv>
 
+#include "belt/firmware_name.hpp"
 #include "echoway/belt/sentence.hpp"
 
 namespace echoway {
@@ -93,8 +94,10 @@ Firing parse_firing(Fields& fields, std::optional<std::uint32_t> Firing::*value,
 StatusSentence parse_status(Fields& fields) noexcept {
   StatusSentence out;
   out.sensors = fields.optional_integer(1, kMaxSensors);
-  const std::string_view firmware = fields.next();
-  firmware.copy(out.firmware.data(), out.firmware.size() - 1);
+  std::size_t length = 0;
+  for (const char c : fields.next()) {
+    if (length + 1 < out.firmware.size() && may_stand_in_name(c)) out.firmware[length++] = c;
+  }
   out.temperature_dc = fields.optional_integer(kMinTemperature, kMaxTemperature);
   out.battery_mv = fields.optional_integer(0, kMaxBattery);
   return out;

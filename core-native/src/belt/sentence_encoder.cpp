@@ -1,5 +1,6 @@
 #include <charconv>
 
+#include "belt/firmware_name.hpp"
 #include "echoway/belt/sentence.hpp"
 
 namespace echoway {
@@ -25,8 +26,7 @@ class Body {
   void name(std::string_view name) noexcept {
     put(",");
     for (const char c : name) {
-      const bool breaks = c < ' ' || c > '~' || c == ',' || c == '*' || c == '$';
-      if (!breaks) put({&c, 1});
+      if (may_stand_in_name(c)) put({&c, 1});
     }
   }
   [[nodiscard]] std::string_view text() const noexcept { return {text_.data(), length_}; }

@@ -20,7 +20,7 @@ bool is_binary(char c) noexcept { return static_cast<unsigned char>(c) < 0x20 &&
 }  // namespace
 
 LineReader::LineReader(std::unique_ptr<std::FILE, Closer> file, std::string name)
-    : file_(std::move(file)), name_(std::move(name)), buffer_(kBufferSize) {}
+    : file_(std::move(file)), name_(std::move(name)), buffer_(std::make_unique_for_overwrite<char[]>(kBufferSize)) {}
 
 Result<LineReader> LineReader::open(const std::filesystem::path& file) {
   std::error_code ignored;
@@ -31,10 +31,10 @@ Result<LineReader> LineReader::open(const std::filesystem::path& file) {
 }
 
 bool LineReader::refill() {
-  std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+  std::memmove(buffer_.get(), buffer_.get() + begin_, end_ - begin_);
   end_ -= begin_;
   begin_ = 0;
-  const std::size_t got = std::fread(buffer_.data() + end_, 1, buffer_.size() - end_, file_.get());
+  const std::size_t got = std::fread(buffer_.get() + end_, 1, kBufferSize - end_, file_.get());
   end_ += got;
   if (got == 0) at_end_ = true;
   return got > 0;
@@ -48,7 +48,7 @@ std::optional<std::string_view> LineReader::fail(std::string message, int line) 
 std::optional<std::string_view> LineReader::next() {
   if (error_) return std::nullopt;
   const auto find_end = [this](std::size_t from) {
-    return std::find(buffer_.data() + begin_ + from, buffer_.data() + end_, '\n') - buffer_.data();
+    return std::find(buffer_.get() + begin_ + from, buffer_.get() + end_, '\n') - buffer_.get();
   };
   std::size_t searched = 0;
   auto stop = static_cast<std::size_t>(find_end(0));
@@ -60,7 +60,7 @@ std::optional<std::string_view> LineReader::next() {
   if (at_end_ && std::ferror(file_.get()) != 0) return fail("cannot be read: " + reason(EIO), 0);
   if (begin_ == end_) return std::nullopt;
   if (line_ == INT_MAX) return fail("has too many lines", line_);
-  std::string_view line(buffer_.data() + begin_, stop - begin_);
+  std::string_view line(buffer_.get() + begin_, stop - begin_);
   line_ended_ = stop < end_;
   begin_ = std::min(stop + 1, end_);
   ++line_;

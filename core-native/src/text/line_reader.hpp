@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "echoway/result.hpp"
 
@@ -47,7 +46,7 @@ class LineReader {
 
   std::unique_ptr<std::FILE, Closer> file_;
   std::string name_;
-  std::vector<char> buffer_;
+  std::unique_ptr<char[]> buffer_;
   std::size_t begin_ = 0;  ///< Unread bytes of buffer_ are [begin_, end_).
   std::size_t end_ = 0;
   bool at_end_ = false;
