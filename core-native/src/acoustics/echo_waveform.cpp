@@ -15,7 +15,9 @@ double sinc(double x) noexcept { return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 :
 
 // The integral of exp(i w t) from `a` to `b`, by its mid-point so that w = 0 is not special.
 std::complex<double> integrate_tone(double w, double a, double b) noexcept {
-  return std::polar((b - a) * sinc(0.5 * w * (b - a)), 0.5 * w * (a + b));
+  // Not std::polar(): its magnitude may not be negative, and the side lobes of the sinc are.
+  const double turn = 0.5 * w * (a + b);
+  return (b - a) * sinc(0.5 * w * (b - a)) * std::complex<double>(std::cos(turn), std::sin(turn));
 }
 
 bool makes_sense(const Transducer& transducer, double period_s) noexcept {

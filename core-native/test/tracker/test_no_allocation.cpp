@@ -13,15 +13,22 @@
 namespace {
 std::atomic<long> allocations{0};
 
-void* count_and_allocate(std::size_t size) {
+void* count_and_try(std::size_t size) noexcept {
   allocations.fetch_add(1, std::memory_order_relaxed);
-  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
+  return std::malloc(size == 0 ? 1 : size);
+}
+
+void* count_and_allocate(std::size_t size) {
+  if (void* p = count_and_try(size)) return p;
   throw std::bad_alloc{};
 }
 }  // namespace
 
 void* operator new(std::size_t size) { return count_and_allocate(size); }
 void* operator new[](std::size_t size) { return count_and_allocate(size); }
+// The standard library's own asks the one above, a sanitizer's does not.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return count_and_try(size); }
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return count_and_try(size); }
 void operator delete(void* p) noexcept { std::free(p); }
 void operator delete[](void* p) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t) noexcept { std::free(p); }
