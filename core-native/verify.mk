@@ -13,7 +13,7 @@ build-%: setup-verify
 
 .PHONY: test-asan
 test-asan: build-asan ## Every C++ test under the address, undefined-behaviour and leak sanitizers
-	@ctest --test-dir $(BUILD)/asan -j$(JOBS) --output-on-failure --progress --timeout 600
+	@ctest --test-dir $(BUILD)/asan -j$(JOBS) --output-on-failure --progress
 
 # The hashes of the fixed walks from the release build are what every other build must give.
 HASHES := $(BUILD)/track-hashes.txt

@@ -46,7 +46,7 @@ class Reader {
   T take() noexcept {
     T value{};
     const auto from = bytes(sizeof value);
-    std::memcpy(&value, from.data(), from.size());
+    if (!from.empty()) std::memcpy(&value, from.data(), from.size());
     return value;
   }
 

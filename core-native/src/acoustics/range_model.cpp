@@ -234,6 +234,8 @@ void RangeModel::for_directions(const Directions& directions, double bearing, do
                                 std::span<PredictedEcho> out, Vec2 axis, Offer offer) const noexcept {
   const int count = directions.count();
   const double middle = (bearing - directions.first()) / directions.step();
+  constexpr double kTellable = 1e9;  // Beyond it, and of what is no number, no direction can be told from the next.
+  if (!(std::abs(middle) < kTellable)) return;
   const double reach = std::min(half_width / directions.step(), 0.5 * count) + kSlack;
   const double low = std::ceil(middle - reach);
   const int entries = std::min(count, static_cast<int>(std::floor(middle + reach) - low) + 1);
