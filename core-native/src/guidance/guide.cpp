@@ -71,7 +71,7 @@ struct Guide::Impl {
   double lost_since = -1.0;
   double last_probe = -1e300;
   bool probed_by_turn = false;       ///< The last request was to turn.
-  double step_direction = 0.0;       ///< Of the last step that was asked for.
+  double step_direction = 0.0;       ///< Of the last step that was asked for, from where the chest faced at first.
   RoomIndex room = kNoRoom;          ///< Told last.
   bool room_pending = false;
   double room_since = 0.0;
@@ -222,7 +222,7 @@ void Guide::Impl::handle_lost(std::span<const Hypothesis> places) {
   if (!voice.offer(cue, now)) return;
   last_probe = now;
   probed_by_turn = cue.kind == CueKind::probe_turn;
-  if (!probed_by_turn) step_direction = cue.direction;
+  if (!probed_by_turn) step_direction = wrap_angle(cue.direction + turning.turned());
 }
 
 /// Who is lost and walks on all the same is kept from what the belt hears before them.
@@ -246,7 +246,9 @@ Cue Guide::Impl::probe_cue(std::span<const Hypothesis> places) {
     probe = {guidance::Probe::Action::turn, kPi / 2, 0.0};
   }
   if (probe.action == guidance::Probe::Action::turn && probed_by_turn && still) {
-    if (const auto free = heard.most_free(kStepFree, step_direction, now)) probe = {guidance::Probe::Action::step, *free, 0.0};
+    // On the way that the last step went, however the wearer has turned since: to and fro shows nothing new.
+    const double onward = wrap_angle(step_direction - turning.turned());
+    if (const auto free = heard.most_free(kStepFree, onward, now)) probe = {guidance::Probe::Action::step, *free, 0.0};
   }
   Cue cue = make_cue(probe.action == guidance::Probe::Action::turn ? CueKind::probe_turn : CueKind::probe_step);
   cue.direction = probe.direction;

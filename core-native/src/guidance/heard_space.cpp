@@ -43,12 +43,13 @@ bool HeardSpace::is_free(double direction, double free_m, double now) const noex
 
 std::optional<double> HeardSpace::most_free(double free_m, double preferred, double now) const noexcept {
   constexpr double kDraw = 1.3;
+  constexpr double kSame = degrees(46.0);
   std::optional<double> best;
   double furthest = 0.0;
   for (const double direction : {0.0, kPi / 2, -kPi / 2, kPi}) {
     const auto echo = nearest(direction, kAbreast, kEnough, now);
     if (!echo || *echo < free_m) continue;
-    const bool same = std::abs(wrap_angle(direction - preferred)) < 0.1;
+    const bool same = std::abs(wrap_angle(direction - preferred)) < kSame;
     const double worth = *echo * (same ? kDraw : 1.0);
     if (worth <= furthest) continue;
     furthest = worth;

@@ -40,7 +40,7 @@ class Hindrances {
     double seen_s = -1e300;
     bool touched = false;
   };
-  static constexpr std::size_t kMost = 64;
+  static constexpr std::size_t kMost = 128;
 
   void add(const Point& point) noexcept;
   [[nodiscard]] static bool counts(const Point& point, RoomIndex room, double time_s) noexcept;

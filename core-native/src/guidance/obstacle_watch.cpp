@@ -8,8 +8,9 @@
 namespace echoway::guidance {
 namespace {
 
-constexpr double kSector = degrees(36.0);  ///< Sensors that look this far off the chest matter to a walker.
+constexpr double kSector = degrees(36.0);  ///< Things further off the chest are not told to a walker.
 constexpr double kFurthest = 3.5;          ///< Echoes are followed from here, metres.
+constexpr double kBesides = 1.2;           ///< The same beside and behind the wearer.
 constexpr double kNearest = 0.25;          ///< Nearer ones are the wearer's own hands.
 constexpr double kMargin = 0.35;           ///< So much nearer than anything mapped, metres, besides the position's error.
 constexpr double kSame = 0.5;              ///< Hits this close together are one thing, metres.
@@ -22,7 +23,8 @@ void ObstacleWatch::on_firing(const Firing& firing, const Estimate& e) noexcept 
   const BeltConfig& belt = config_->belt;
   if (firing.sensor < 0 || firing.sensor >= belt.sensors || !firing.has_echo() || !std::isfinite(firing.range_m)) return;
   const double bearing = wrap_angle(belt.bearing(firing.sensor));
-  if (std::abs(bearing) > kSector || firing.range_m < kNearest || firing.range_m > kFurthest) return;
+  const double furthest = std::abs(bearing) > kSector ? kBesides : kFurthest;
+  if (firing.range_m < kNearest || firing.range_m > furthest) return;
   if (e.room < 0 || static_cast<std::size_t>(e.room) >= router_->building().rooms.size() || !is_finite(e.pose)) return;
   const FreeSpace& space = router_->space(e.room);
   const double axis = e.pose.heading + bearing;
@@ -51,8 +53,9 @@ ObstacleWatch::Sighting ObstacleWatch::nearest(const Estimate& e, double reach) 
   steady(e, [&](Vec2 at) {
     const Vec2 local = e.pose.inverse_transform(at);
     const double away = std::max(0.0, norm(local) - config_->belt.radius_m);
-    if (local.x <= 0.0 || std::abs(local.y) > kCorridor || away > reach) return;
-    if (!best.present || away < best.distance_m) best = {true, away, std::atan2(local.y, local.x)};
+    const double direction = std::atan2(local.y, local.x);
+    if (std::abs(direction) > kSector || std::abs(local.y) > kCorridor || away > reach) return;
+    if (!best.present || away < best.distance_m) best = {true, away, direction};
   });
   return best;
 }

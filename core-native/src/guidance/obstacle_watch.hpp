@@ -11,7 +11,7 @@
 
 namespace echoway::guidance {
 
-/// Watches the sensors that look where the wearer walks for steady echoes of things that are in no plan.
+/// Watches for steady echoes of things that are in no plan, all round the wearer.
 class ObstacleWatch {
  public:
   ObstacleWatch(const Router& router, const GuideConfig& config) : router_(&router), config_(&config) {}
@@ -43,7 +43,7 @@ class ObstacleWatch {
     RoomIndex room = kNoRoom;
     Vec2 at{};
   };
-  static constexpr std::size_t kHits = 16;
+  static constexpr std::size_t kHits = 64;  // of a belt in its memory
   [[nodiscard]] bool is_steady(const Hit& hit, const Estimate& estimate) const noexcept;
 
   const Router* router_;

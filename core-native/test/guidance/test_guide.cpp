@@ -235,6 +235,25 @@ TEST_F(GuideTest, LostItAsksForAStepOnlyWhereTheBeltHearsThatItIsFree) {
   }
 }
 
+TEST_F(GuideTest, LostItLeadsOnByStepsAndNotToAndFro) {
+  (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
+  // Free on both sides, and a little farther to the left whichever way the wearer faces.
+  const auto corridor = [](double bearing) { return std::abs(std::abs(bearing) - kPi / 2) < degrees(70.0) ? (bearing > 0 ? 3.2 : 3.0) : 0.6; };
+  Estimate somewhere = lost(0);
+  std::vector<double> steps;  // by where the chest faced at first
+  for (int turn = 0; turn < 12; ++turn) {
+    for (const Cue& cue : wearer.hear(14.0, somewhere, corridor)) {
+      if (cue.kind == CueKind::probe_step) steps.push_back(wrap_angle(cue.direction + somewhere.pose.heading));
+    }
+    for (int i = 0; i < 60; ++i) {  // half about
+      somewhere.pose.heading = wrap_angle(somewhere.pose.heading + degrees(3.0));
+      (void)wearer.stay(kSlot, somewhere);
+    }
+  }
+  ASSERT_GE(steps.size(), 3U);
+  for (const double step : steps) EXPECT_NEAR(std::abs(wrap_angle(step - steps.front())), 0.0, 0.1);
+}
+
 TEST_F(GuideTest, LostItAsksForNoStepWhereNothingIsHeardToBeFree) {
   (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
   const auto near = wearer.hear(40.0, lost(0), [](double) { return 0.6; });
@@ -392,6 +411,21 @@ TEST_F(GuideTest, RepeatsTheLastInstructionWhenAsked) {
   (void)wearer.stand(2.0, 0, {1, 2.5}, 90.0);
   EXPECT_TRUE(guide.repeat());
   EXPECT_THAT(kinds(wearer.stand(3.0, 0, {1, 2.5}, 90.0)), Contains(CueKind::turn));
+}
+
+TEST(Guide, WhatIsHeardBesideTheWearerIsLedRoundWhenTheyTurnThere) {
+  const Building hall = test::make_grid(1, 1, 8.0);
+  const auto first_turn = [&](double beside) {
+    Listener wearer(hall);
+    const Estimate here = at(0, 0, {4, 4}, 0.0);
+    (void)wearer.hear(4.0, here, [&](double bearing) { return std::abs(bearing - kPi / 2) < degrees(15.0) ? beside : Firing::kNoEcho; });
+    EXPECT_TRUE(wearer.guide.set_destination({Goal::Kind::spot, 0, {0, {4, 7}}}));
+    const auto cues = wearer.hear(4.0, here, [](double) { return Firing::kNoEcho; });
+    const auto turn = std::find_if(cues.begin(), cues.end(), [](const Cue& c) { return c.kind == CueKind::turn; });
+    return turn == cues.end() ? 0.0 : turn->direction;
+  };
+  EXPECT_EQ(sector_of(first_turn(Firing::kNoEcho)), Sector::left);
+  EXPECT_NE(sector_of(first_turn(0.5)), Sector::left) << "a cupboard stands there";
 }
 
 TEST_F(GuideTest, WarnsOfASteadyThingThatNoPlanKnows) {
