@@ -41,7 +41,7 @@ internal class MediaKeys(private val asking: Asking, private val handler: Handle
 
     private companion object {
         val ONE_BUTTON = setOf(KeyEvent.KEYCODE_HEADSETHOOK, KeyEvent.KEYCODE_MEDIA_PLAY_PAUSE)
-        val BY_PRESSES = listOf(Ask.WHERE_AM_I, Ask.REPEAT, Ask.WAY_OUT)
+        val BY_PRESSES = listOf(Ask.WHERE_AM_I, Ask.REPEAT, Ask.WAY_OUT, Ask.START_AGAIN)
         val BY_KEY = mapOf(
             KeyEvent.KEYCODE_MEDIA_PLAY to Ask.WHERE_AM_I,
             KeyEvent.KEYCODE_MEDIA_PAUSE to Ask.WHERE_AM_I,

@@ -133,10 +133,13 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
                 is Wish.LeadTo -> session.setDestination(wish.destination, wish.preferences)
                 Wish.BackTrack -> session.backTrack()
                 Wish.StopLeading -> session.clearDestination()
+                is Wish.StandAt -> session.restart(wish.start)
             }
             when (wish) {
                 is Wish.LeadTo, Wish.BackTrack -> leading = wish
                 Wish.StopLeading -> leading = null
+                // A destination stays; the breadcrumbs of a way back are gone.
+                is Wish.StandAt -> if (!session.hasDestination) leading = null
                 Wish.WhereAmI, Wish.Repeat -> Unit
             }
         }

@@ -8,6 +8,7 @@ import org.echoway.core.Route
 import org.echoway.core.RoutePreferences
 import org.echoway.core.SpeechStyle
 import org.echoway.core.Spot
+import org.echoway.core.Start
 
 /** What a wearer asks of guidance. The core answers with cues. */
 sealed interface Wish {
@@ -22,6 +23,9 @@ sealed interface Wish {
     data object BackTrack : Wish
 
     data object StopLeading : Wish
+
+    /** The wearer says where they stand: all that was thought of the place before is forgotten. */
+    data class StandAt(val start: Start) : Wish
 }
 
 /** What a guide has of the core. Safe from any thread. */

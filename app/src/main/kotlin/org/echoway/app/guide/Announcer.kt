@@ -6,6 +6,7 @@ import org.echoway.app.engine.Wish
 import org.echoway.core.Cue
 import org.echoway.core.CueKind
 import org.echoway.core.DestinationKind
+import org.echoway.core.Plan
 import org.echoway.core.TrackState
 
 /**
@@ -38,11 +39,14 @@ class Announcer {
         else -> NoAnswer.NotRunning
     }
 
+    /** The plan that the wearer walks through; null while guidance is off. */
+    val plan: Plan? get() = (previous as? NavigationState.Running)?.building?.plan
+
     private fun lastRoom(state: NavigationState.Running) =
         state.building.plan.rooms.getOrNull(state.estimate.room).takeIf { state.estimate.state == TrackState.TRACKING }
 
     private fun detail(cue: Cue): Message? {
-        val plan = (previous as? NavigationState.Running)?.building?.plan
+        val plan = plan
         if (cue.kind != CueKind.ENTERING || plan == null) return null
         val places = plan.places.filter { it.spot.room == cue.room && it.name.isNotEmpty() }.map { it.name }
         val doors = plan.doors.count { it.seenFrom(cue.room) != null }
@@ -55,7 +59,7 @@ class Announcer {
         )
         Wish.BackTrack -> Message.CannotLead(NoWay.NOTHING_WALKED_YET)
         Wish.Repeat -> Message.NothingToRepeat
-        Wish.WhereAmI, Wish.StopLeading -> null
+        Wish.WhereAmI, Wish.StopLeading, is Wish.StandAt -> null
     }
 
     private companion object {

@@ -17,6 +17,9 @@ enum class Ask {
     WAY_BACK,
 
     STOP_LEADING,
+
+    /** The wearer is back at the entrance that was chosen, or lost if none was: look for them anew from there. */
+    START_AGAIN,
 }
 
 /** Whoever answers. Safe from any thread. */

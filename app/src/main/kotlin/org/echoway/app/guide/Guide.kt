@@ -13,6 +13,8 @@ import kotlinx.coroutines.flow.first
 import kotlinx.coroutines.flow.map
 import kotlinx.coroutines.launch
 import org.echoway.app.Clock
+import org.echoway.app.building.entrance
+import org.echoway.app.building.startAt
 import org.echoway.app.engine.Core
 import org.echoway.app.engine.GuidanceEvent
 import org.echoway.app.engine.NavigationState
@@ -45,6 +47,7 @@ class Guide(
     private val silenced = MutableStateFlow(false)
     private var manner = Manner()
     private var preferences = RoutePreferences()
+    private var entrance: String? = null
     private var wording = wordings(speech.language.value)
     private var vibrates = true
     private var wordUntilS = Double.NEGATIVE_INFINITY
@@ -77,6 +80,16 @@ class Guide(
             Ask.WAY_OUT -> leadTo(Destination.WAY_OUT)
             Ask.WAY_BACK -> if (lead(Wish.BackTrack)) tell(Message.LeadingBack)
             Ask.STOP_LEADING -> if (lead(Wish.StopLeading)) tell(Message.LeadingStopped)
+            Ask.START_AGAIN -> standAt(announcer.plan?.entrance(entrance))
+        }
+    }
+
+    /** The wearer says that they stand at this exit or in this room, or that they do not know where (null). */
+    fun standAt(place: Destination?) {
+        val plan = announcer.plan
+        when {
+            plan == null -> tell(Message.CannotLead(NoWay.NOT_RUNNING))
+            lead(Wish.StandAt(startAt(plan, place))) -> tell(Message.StartedAgain(place?.let { wording.name(plan, it) }))
         }
     }
 
@@ -128,6 +141,7 @@ class Guide(
         wording = wordings(language)
         manner = Manner(settings.service, settings.verbosity, silenced.value)
         preferences = RoutePreferences(settings.avoidStairs)
+        entrance = settings.entrance
         core.speakIn(SpeechStyle(language, settings.directions, settings.lengths))
     }
 

@@ -81,6 +81,9 @@ sealed class Message(val rank: Rank, val topic: String, val validS: Double) {
 
     data object LeadingStopped : Message(Rank.ASKED, "leading", ROUTINE_S)
 
+    /** The wearer is looked for anew; [place] is where they say that they stand, null when they do not know. */
+    data class StartedAgain(val place: String?) : Message(Rank.ASKED, "start again", ROUTINE_S)
+
     /** What firefighter mode is not. */
     data object NotAPass : Message(Rank.ASKED, "firefighter", LASTING_S)
 

@@ -40,6 +40,7 @@ class Wording(private val resources: Resources) {
         is Message.CannotLead -> text(message.why.words)
         Message.LeadingBack -> text(R.string.say_leading_back)
         Message.LeadingStopped -> text(R.string.say_leading_stopped)
+        is Message.StartedAgain -> message.place?.let { text(R.string.say_started_again_at, it) } ?: text(R.string.say_started_again)
         Message.NotAPass -> text(R.string.not_a_pass)
         Message.WatchEnded -> text(R.string.watch_ended)
         Message.StillSoon -> text(R.string.still_soon)

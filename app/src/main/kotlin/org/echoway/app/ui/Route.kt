@@ -14,6 +14,8 @@ sealed interface Route {
 
     @Serializable data object Destinations : Route
 
+    @Serializable data object Here : Route
+
     @Serializable data object Practice : Route
 
     @Serializable data object Firefighter : Route

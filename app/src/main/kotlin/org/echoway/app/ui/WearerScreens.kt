@@ -23,6 +23,9 @@ import org.echoway.app.ui.firefighter.FirefighterViewModel
 import org.echoway.app.ui.firstrun.FirstRunActions
 import org.echoway.app.ui.firstrun.FirstRunScreen
 import org.echoway.app.ui.firstrun.FirstRunViewModel
+import org.echoway.app.ui.here.HereActions
+import org.echoway.app.ui.here.HereScreen
+import org.echoway.app.ui.here.HereViewModel
 import org.echoway.app.ui.practice.PracticeScreen
 
 /** What is shown first: the introduction once, and firefighter mode until it is left. */
@@ -50,6 +53,12 @@ internal fun NavGraphBuilder.wearerScreens(
         val model = viewModel(key = LocalConfiguration.current.locales.toLanguageTags()) { DestinationsViewModel(container, resources) }
         val state by model.uiState.collectAsStateWithLifecycle()
         DestinationsScreen(state, DestinationsActions(model::leadTo, model::ask, back))
+    }
+    composable<Route.Here> {
+        val resources = LocalResources.current
+        val model = viewModel(key = LocalConfiguration.current.locales.toLanguageTags()) { HereViewModel(container, resources) }
+        val state by model.uiState.collectAsStateWithLifecycle()
+        HereScreen(state, HereActions(model::standAt, back))
     }
     composable<Route.Practice> { PracticeScreen(container.buzzer.present, container.guide::practise, back) }
     firefighter(container, actions, leave)

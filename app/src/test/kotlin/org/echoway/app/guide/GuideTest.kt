@@ -37,6 +37,7 @@ import org.echoway.core.Language
 import org.echoway.core.LengthStyle
 import org.echoway.core.RoutePreferences
 import org.echoway.core.SpeechStyle
+import org.echoway.core.Start
 import org.echoway.core.Urgency
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertFalse
@@ -243,6 +244,29 @@ class GuideTest {
         assertFalse(guide.muted.value)
         happens(door)
         assertEquals(listOf("Speaking again.", "Door right, six feet."), heard())
+    }
+
+    @Test fun whoSaysWhereTheyStandIsLookedForFromThere() = walking(Settings(entrance = "Main entrance")) {
+        guide.ask(Ask.START_AGAIN)
+        assertEquals(Wish.StandAt(Start(room = 0)), core.wishes.last())
+        assertEquals(listOf("Starting again: Main entrance."), heard())
+        guide.standAt(Destination(DestinationKind.ROOM, 1))
+        assertEquals(Wish.StandAt(Start(room = 1)), core.wishes.last())
+        assertEquals(listOf("Starting again: Room 4, Seminar room."), heard())
+    }
+
+    @Test fun whoDoesNotKnowWhereTheyStandIsLookedForEverywhere() = walking {
+        guide.ask(Ask.START_AGAIN)
+        assertEquals(Wish.StandAt(Start()), core.wishes.last())
+        assertEquals(listOf("Starting again."), heard())
+    }
+
+    @Test fun nobodyIsLookedForWhileGuidanceIsOff() = runTest {
+        Situation(this, Settings(entrance = "Main entrance")).run {
+            guide.ask(Ask.START_AGAIN)
+            assertEquals(listOf("Guidance is off."), heard())
+            assertEquals(emptyList<Wish>(), core.wishes)
+        }
     }
 
     @Test fun cuesAreWordedAsTheWearerWants() = walking(Settings(directions = DirectionStyle.CLOCK, lengths = LengthStyle.METRES)) {

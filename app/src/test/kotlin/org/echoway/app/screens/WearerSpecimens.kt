@@ -14,6 +14,9 @@ import org.echoway.app.ui.firefighter.FirefighterUiState
 import org.echoway.app.ui.firstrun.FirstRunActions
 import org.echoway.app.ui.firstrun.FirstRunScreen
 import org.echoway.app.ui.firstrun.FirstRunStep
+import org.echoway.app.ui.here.HereActions
+import org.echoway.app.ui.here.HereScreen
+import org.echoway.app.ui.here.HereUiState
 import org.echoway.app.ui.practice.PracticeScreen
 import org.echoway.core.Destination
 import org.echoway.core.DestinationKind
@@ -31,6 +34,14 @@ internal fun wearerSpecimens() = listOf(
         )
     },
     Specimen("destinations-off", LIGHT_ONLY) { DestinationsScreen(DestinationsUiState.Off, DestinationsActions({}, {}, {})) },
+    Specimen("here") {
+        val groups = listOf(
+            group(stringResource(R.string.exits), DestinationKind.EXIT, "East stairs, in Room 7, Hall", "Main entrance, in Room 7, Hall"),
+            group(stringResource(R.string.rooms), DestinationKind.ROOM, "Room 1, Front office", "Room 2, Corridor"),
+        )
+        HereScreen(HereUiState.Ready(groups), HereActions({}, {}))
+    },
+    Specimen("here-off", LIGHT_ONLY) { HereScreen(HereUiState.Off, HereActions({}, {})) },
     Specimen("practice") { PracticeScreen(canVibrate = true, { _, _ -> }, {}) },
     Specimen("practice-no-vibrator", LIGHT_ONLY) { PracticeScreen(canVibrate = false, { _, _ -> }, {}) },
     firefighter("firefighter", setOf(Variant.LIGHT, Variant.LARGE_TEXT, Variant.GERMAN_LARGE_TEXT, Variant.TABLET), running = true, Stillness.MOVING),

@@ -111,6 +111,7 @@ class AskingTest {
             mute = { press(KeyEvent.KEYCODE_MEDIA_STOP) },
             wayOut = { press(KeyEvent.KEYCODE_HEADSETHOOK, KeyEvent.KEYCODE_HEADSETHOOK, KeyEvent.KEYCODE_HEADSETHOOK) },
         )
+        assertEquals(listOf("Starting again."), heard { repeat(4) { press(KeyEvent.KEYCODE_HEADSETHOOK) } })
     }
 
     @Test fun byChordsOfTheVolumeKeys() = ActivityScenario.launch(MainActivity::class.java).use { screen ->

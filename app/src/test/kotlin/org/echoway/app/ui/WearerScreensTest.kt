@@ -193,6 +193,31 @@ class WearerScreensTest {
         heard("No way back yet.")
     }
 
+    @Test fun whoIsElsewhereSaysWhereAndKeepsTheirDestination() {
+        launch()
+        guide()
+        press("Menu", "Where to?", "Lectern, in Room 4, Seminar room")
+        val led = leading
+        Espresso.pressBack()
+        settle()
+        press("I am here")
+        rule.onNode(hasText("Exits") and isHeading()).assertIsDisplayed()
+        press("Room 5, Media room")
+        heard("Starting again: Room 5, Media room.")
+        val state = container.navigator.state.value as NavigationState.Running
+        assertEquals("5", state.building.plan.rooms[state.estimate.room].id)
+        assertEquals(led, leading)
+        rule.onNode(hasScrollAction()).performScrollToNode(hasText("I do not know where"))
+        press("I do not know where")
+        heard("Starting again.")
+    }
+
+    @Test fun whereOneStandsCannotBeSaidWhileGuidanceIsOff() {
+        launch()
+        press("Menu", "I am here")
+        rule.onNodeWithText("Start guidance first.").assertIsDisplayed()
+    }
+
     @Test fun everySignalIsFeltAndNamed() {
         launch()
         press("Menu", "Practise the vibrations", "Left")

@@ -17,11 +17,11 @@ import org.echoway.app.guide.Wording
 import org.echoway.core.Destination
 import org.echoway.core.DestinationKind
 import org.echoway.core.Plan
-import org.echoway.core.destinations
 
 /** Choosing where to be led. */
 class DestinationsViewModel(private val container: AppContainer, private val resources: Resources) : ViewModel() {
     private val wording = Wording(resources)
+    private val lists = DestinationLists(resources)
 
     val uiState: StateFlow<DestinationsUiState> = container.navigator.state
         .map { state -> (state as? NavigationState.Running)?.let { it.building.plan to it.leading } }
@@ -40,44 +40,11 @@ class DestinationsViewModel(private val container: AppContainer, private val res
             else -> resources.getString(R.string.leading_nowhere)
         },
         led = leading != null,
-        groups = GROUPS.map { (kind, title) -> group(plan, kind, resources.getString(title), (leading as? Wish.LeadTo)?.destination) }
-            .filter { it.options.isNotEmpty() },
+        groups = lists.groups(plan, KINDS, (leading as? Wish.LeadTo)?.destination),
     )
-
-    private fun group(plan: Plan, kind: DestinationKind, title: String, chosen: Destination?): DestinationGroup {
-        val levels = plan.rooms.map { it.level }.distinct().size > 1
-        val options = plan.destinations.filter { it.kind == kind && plan.isNamed(it) }
-            .map { DestinationOption(it, title(plan, it, levels), it == chosen) }
-        return DestinationGroup(title, options.sortedWith(compareBy(NATURAL) { it.title }))
-    }
-
-    /** Enough to tell it from its namesakes, and nothing that is the same for all. */
-    private fun title(plan: Plan, destination: Destination, levels: Boolean): String {
-        val name = wording.name(plan, destination)
-        val room = plan.rooms[plan.roomOf(destination)]
-        return when {
-            destination.kind != DestinationKind.ROOM -> resources.getString(R.string.place_in_room, name, wording.name(room))
-            levels -> resources.getString(R.string.room_on_level, name, room.level)
-            else -> name
-        }
-    }
-
-    private fun Plan.isNamed(destination: Destination) = destination.kind != DestinationKind.PLACE || places[destination.index].name.isNotEmpty()
-
-    private fun Plan.roomOf(destination: Destination) = when (destination.kind) {
-        DestinationKind.PLACE -> places[destination.index].spot.room
-        DestinationKind.EXIT -> exits[destination.index].spot.room
-        else -> destination.index
-    }
 
     private companion object {
         const val STOP_AFTER_MS = 5_000L
-        val GROUPS = listOf(DestinationKind.PLACE to R.string.places, DestinationKind.EXIT to R.string.exits, DestinationKind.ROOM to R.string.rooms)
-        private const val WIDTH = 8
-
-        /** Room 10 after room 9. */
-        val NATURAL = Comparator<String> { a, b -> padded(a).compareTo(padded(b), ignoreCase = true) }
-
-        private fun padded(text: String) = text.replace(Regex("\\d+")) { it.value.padStart(WIDTH, '0') }
+        val KINDS = listOf(DestinationKind.PLACE, DestinationKind.EXIT, DestinationKind.ROOM)
     }
 }

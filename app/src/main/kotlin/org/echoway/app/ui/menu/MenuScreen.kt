@@ -10,6 +10,7 @@ import org.echoway.app.ui.common.Screen
 /** Where the menu leads, in its order. */
 private val ENTRIES = listOf(
     R.string.where_to to Route.Destinations,
+    R.string.i_am_here to Route.Here,
     R.string.setup to Route.Setup,
     R.string.buildings to Route.Buildings,
     R.string.belt_view to Route.BeltView,
