@@ -46,11 +46,11 @@ bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budg
       round_end_ = std::min(reached_ + kRound, tools.history.end());
     }
     std::array<Shot, kRound> shots;
-    for (std::uint64_t n = reached_; n < round_end_; ++n) shots[n - reached_] = shot_of_past(tools.history[n], tools.belt);
+    for (std::uint64_t n = reached_; n < round_end_; ++n) shots[static_cast<std::size_t>(n - reached_)] = shot_of_past(tools.history[n], tools.belt);
     const auto particles = population_.particles();
     for (; cursor_ < particles.size() && spent < budget; ++cursor_) {
       for (std::uint64_t n = reached_; n < round_end_; ++n, ++spent) {
-        replay(particles[cursor_], tools.history[n], shots[n - reached_], n != first_, tools, random);
+        replay(particles[cursor_], tools.history[n], shots[static_cast<std::size_t>(n - reached_)], n != first_, tools, random);
       }
     }
     if (cursor_ < particles.size()) return false;
