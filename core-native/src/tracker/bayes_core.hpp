@@ -114,6 +114,7 @@ class BayesLocator::Core {
   double away_ = 0.0;               ///< Probability that the wearer is on stairs or in an elevator,
   tracker::LevelLinks::Landing landing_;   ///< and where that leads, most likely.
   double mapped_share_ = 0.0;       ///< Of recent echoes that something in the plan explains.
+  double explained_ = kUsuallyMapped;   ///< The same of all echoes of the last while: a place that explains none is no place.
   double unmapped_ = 0.0;           ///< Probability that the last echo came from nothing in the plan.
   std::array<Vec2, kMaxSensors> bearings_{};
   double last_heading_ = 0.0;

@@ -12,7 +12,8 @@ namespace {
 constexpr std::uint64_t kRecoveryWindow = 40;        // Firings that a recovery search looks back on.
 constexpr std::uint64_t kBlindRecoveryWindow = 20;   // The same without a gyroscope: a wearer hardly turns meanwhile.
 constexpr std::uint64_t kSearchPause = 48;           // Firings between searches,
-constexpr int kMostDoublings = 3;                    // doubled so often at most while they find nothing,
+constexpr int kMostDoublings = 3;                    // doubled so often at most while they find nothing;
+constexpr std::uint64_t kBlindPause = 24;            // without a gyroscope, which a wrong belief could lean on,
 constexpr std::uint64_t kUnconfirmedPause = 32;      // and while no place has proved itself yet.
 constexpr double kSurelyAway = 0.5;                  // Who is on the stairs is looked for where they lead.
 
@@ -173,6 +174,7 @@ double BayesLocator::Core::handicap() const {
 std::uint64_t BayesLocator::Core::search_pause() const {
   if (fruitless_ == 0 && last_search_ == 0) return 0;
   if (unconfirmed_ > 0) return kUnconfirmedPause;
+  if (fit_.poor() && !gyro_) return kBlindPause;
   return kSearchPause << std::min(fit_.poor() ? fruitless_ / kCircles : fruitless_, kMostDoublings);
 }
 

@@ -21,11 +21,15 @@ class Rival {
   void dismiss() noexcept { population_.clear(); }
 
   enum class Verdict : std::uint8_t { undecided, rejected, accepted };
-  /// Log densities that the belief and the rival gave a firing.
-  [[nodiscard]] Verdict judge(double log_belief, double log_rival) noexcept;
+  /// Log densities that the belief and the rival gave a firing, and whether a belief that was sure once fits no longer.
+  [[nodiscard]] Verdict judge(double log_belief, double log_rival, bool belief_poor) noexcept;
 
  private:
+  /// Log odds below which nothing more is expected of it.
+  [[nodiscard]] double least(bool belief_poor) const noexcept;
+
   Population population_;
+  double log_begin_ = 0.0;
   double log_odds_ = 0.0;
   std::uint64_t age_ = 0;
 };
