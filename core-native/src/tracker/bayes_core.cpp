@@ -25,8 +25,7 @@ constexpr double kLongestInterval = 3.0;          // Seconds that are still walk
 constexpr double kTemperatureSigma = 0.006;       // ln of speed: 3.5 K, a thermometer against the body.
 constexpr double kPlanExplains = 0.52;
 constexpr double kShareGain = 1.0 / 24.0;
-constexpr double kExplainedGain = 1.0 / 160.0;    // Per echo: twenty seconds or so.
-constexpr double kLeastExplained = 0.2;           // In furnished rooms the plan explains 0.3 to 0.6 of the echoes.
+constexpr double kCoatRange = 0.5;                // Metres: two passes of echoes from no farther come from what covers the belt.
 constexpr double kSurelyUnmapped = 0.6;
 constexpr double kSureEnough = 0.35;              // Metres.
 constexpr double kBeyondArms = 0.40;              // Metres.
@@ -67,6 +66,7 @@ bool BayesLocator::Core::on_firing(const Firing& firing) {
   if (!tell_time(firing.time_s, seconds)) return false;
   history_.push(take_down(firing, seconds));
   Record& record = history_.back();
+  near_in_a_row_ = record.echo && record.range < kCoatRange ? near_in_a_row_ + 1 : 0;
 
   if (const auto rate = hints_.take_still_rate()) stand_still(*rate);
   const auto gait = hints_.take_gait_evidence(firing.time_s, record.interval.seconds);
@@ -136,7 +136,6 @@ void BayesLocator::Core::track(Record& record, const HintIntegrator::GaitEvidenc
   const Verdict verdict = update(main_, record, gait, remembering);
   unmapped_ = tracked ? 1.0 - verdict.mapped : 0.0;
   if (tracked && record.range > kBeyondArms) mapped_share_ += kShareGain * (verdict.mapped - mapped_share_);
-  if (record.echo) explained_ += kExplainedGain * (verdict.mapped - explained_);
   record.log_main = record.novelty * verdict.log_plan;
   if (record.trust > 0.5) fit_.observe(verdict.log_plan, record.echo, record.range);
   if (!rival_.present()) return;
@@ -281,9 +280,9 @@ void BayesLocator::Core::see_who_is_away() {
 }
 
 TrackState BayesLocator::Core::state() const {
-  if (away_ > 0.5) return TrackState::searching;
+  if (away_ > 0.5 || near_in_a_row_ >= 2 * belt_.sensors) return TrackState::searching;
   if (fit_.poor()) return TrackState::lost;
-  const bool tracking = explained_ > kLeastExplained && summary_.hypotheses[0].probability > kSure && estimate_.sigma_m < kSharp;
+  const bool tracking = summary_.hypotheses[0].probability > kSure && estimate_.sigma_m < kSharp;
   return tracking ? TrackState::tracking : TrackState::searching;
 }
 

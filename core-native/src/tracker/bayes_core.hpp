@@ -114,7 +114,6 @@ class BayesLocator::Core {
   double away_ = 0.0;               ///< Probability that the wearer is on stairs or in an elevator,
   tracker::LevelLinks::Landing landing_;   ///< and where that leads, most likely.
   double mapped_share_ = 0.0;       ///< Of recent echoes that something in the plan explains.
-  double explained_ = kUsuallyMapped;   ///< The same of all echoes of the last while: a place that explains none is no place.
   double unmapped_ = 0.0;           ///< Probability that the last echo came from nothing in the plan.
   std::array<Vec2, kMaxSensors> bearings_{};
   double last_heading_ = 0.0;
@@ -124,6 +123,7 @@ class BayesLocator::Core {
   bool clock_set_ = false;
   double last_time_ = 0.0;
   int backwards_ = 0;
+  int near_in_a_row_ = 0;           ///< Firings in a row that heard something within arm's reach.
   bool gyro_ = false;
   double pace_ = 0.55;              ///< Usual walking speed, learnt.
   double step_length_ = 0.65;       ///< Metres of a usual step, learnt.

@@ -15,6 +15,7 @@ constexpr std::uint64_t kSearchPause = 48;           // Firings between searches
 constexpr int kMostDoublings = 3;                    // doubled so often at most while they find nothing;
 constexpr std::uint64_t kBlindPause = 24;            // without a gyroscope, which a wrong belief could lean on,
 constexpr std::uint64_t kUnconfirmedPause = 32;      // and while no place has proved itself yet.
+constexpr double kSomewhere = 0.1;                   // Probability of the likeliest place from which on there is something to doubt.
 constexpr double kSurelyAway = 0.5;                  // Who is on the stairs is looked for where they lead.
 
 // In widening circles: a tracker that lost its hold is most often not far off.
@@ -79,7 +80,9 @@ void BayesLocator::Core::start_recovery() {
     search_.start(domain, begin, now);
     return;
   }
-  const bool unsure = fit_.doubtful() || (unconfirmed_ > 0 && estimate_.state != TrackState::tracking);
+  // While all sorts of places are possible there is nothing that a search could correct.
+  const bool somewhere = summary_.hypotheses[0].probability > kSomewhere;
+  const bool unsure = fit_.doubtful() || (unconfirmed_ > 0 && somewhere && estimate_.state != TrackState::tracking);
   if (away_ > kPerhapsAway || !unsure || echoes_since(begin) < kFewestEchoes) return;
   if (unconfirmed_ > 0) {
     if (start_.room && fruitless_ == 0) domain.only_room = *start_.room;

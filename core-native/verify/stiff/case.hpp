@@ -28,9 +28,6 @@ struct Case {
   std::string group;  ///< Heading on the page.
   std::string name;
   std::function<Outcome()> run;
-  /// Does not hold yet: the page says so, and the test is skipped instead of failed. Nothing but promises of accuracy may
-  /// be open.
-  bool open = false;
 };
 
 /// A measured error against its bound; NaN does not hold.

@@ -127,8 +127,6 @@ void add_conditioning(std::vector<Case>& table) {
   add("standing in the hall's middle, place in it unknown", [] {
     return admits(stay(60.0, false, {0, std::nullopt, std::nullopt}), 5.0);
   });
-  // Particles that nothing tells apart die out by chance: after half a minute few places are left of the many.
-  table.back().open = true;
   add("standing in the hall's middle, place known to 0.3 m", [] {
     return admits(stay(60.0, false, {0, Vec2{24.0, 1.1}, 0.0}), 0.15);
   });
