@@ -5,7 +5,7 @@
 
 namespace echoway::scene {
 namespace {
-constexpr std::size_t kMaxSlots = 3072;
+constexpr std::size_t kMaxSlots = 2400;   // Five megabytes.
 }
 
 Scene::Scene(const Building& building, const SightLimits& limits, double cell_size)

@@ -8,6 +8,7 @@
 #include "echoway/random.hpp"
 #include "echoway/scene/scene_report.hpp"
 #include "scene/scene.hpp"
+#include "support/plans.hpp"
 #include "tracker/likelihood.hpp"
 #include "tracker/elementary.hpp"
 #include "tracker/plans.hpp"
@@ -92,6 +93,26 @@ TEST(SceneReport, SaysWhatARoomDoesNotNeed) {
     EXPECT_LT(r.considered, 0.5 * static_cast<double>(r.reflectors));
     EXPECT_LT(r.hidden_tests, r.considered * static_cast<double>(r.occluders));
   }
+}
+
+TEST(Scene, OfAThousandRoomsOnTwentyFloorsHoldsLessThanTwentyMegabytes) {
+  const Building floor = test::make_office_floor(25);
+  const auto rooms = static_cast<RoomIndex>(floor.rooms.size());
+  Building tower;
+  for (int level = 0; level < 20; ++level) {
+    for (Room room : floor.rooms) {
+      room.level = level;
+      tower.rooms.push_back(room);
+    }
+    for (Door door : floor.doors) {
+      door.room_a += level * rooms;
+      door.room_b += level * rooms;
+      tower.doors.push_back(door);
+    }
+  }
+  ASSERT_GT(tower.rooms.size(), 1000u);
+  const scene::Scene compiled(tower, tracker::EchoModel(BeltConfig{}, {}).sight_limits());
+  EXPECT_LT(compiled.memory(), 20e6);
 }
 
 }  // namespace
