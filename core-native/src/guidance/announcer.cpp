@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "echoway/units.hpp"
 
@@ -137,11 +136,8 @@ bool Announcer::offer(Cue cue, double now, bool asked) {
   speaking_ = cue.urgency;
   said_[said_count_ % kMemory] = cue;
   if (instructs(cue)) {
-    if (!searches(cue.kind)) arrived_ = false;
-    if (searches(cue.kind) && instructed_ && instruction_.kind == CueKind::arrived) {
-      arrived_ = true;
-      arrival_ = instruction_;
-    }
+    if (!searches(cue.kind)) arrival_.reset();
+    else if (instructed_ && instruction_.kind == CueKind::arrived) arrival_ = instruction_;
     instruction_ = cue;
     instructed_ = true;
   }
@@ -157,8 +153,9 @@ bool Announcer::offer(Cue cue, double now, bool asked) {
 
 void Announcer::forget_search() noexcept {
   if (!instructed_ || !searches(instruction_.kind)) return;
-  instruction_ = arrival_;
-  instructed_ = std::exchange(arrived_, false);
+  instructed_ = arrival_.has_value();
+  instruction_ = arrival_.value_or(Cue{});
+  arrival_.reset();
 }
 
 void Announcer::answer(double now) {

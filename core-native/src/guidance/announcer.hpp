@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "echoway/guidance/cue.hpp"
 #include "echoway/guidance/guide_config.hpp"
@@ -58,8 +59,7 @@ class Announcer {
   std::size_t said_count_ = 0;
   Cue instruction_{};               ///< The last line that told the wearer to do something.
   bool instructed_ = false;
-  Cue arrival_{};                   ///< The instruction before the search that began last.
-  bool arrived_ = false;            ///< It was "arrived".
+  std::optional<Cue> arrival_;      ///< The instruction before the search that began last, when it was "arrived".
   bool again_ = false;
   std::array<Cue, kQueue> queue_{};
   std::size_t head_ = 0;

@@ -8,10 +8,6 @@
 
 namespace echoway::guidance {
 
-bool Certainty::is_place(const Estimate& e) const noexcept {
-  return e.room >= 0 && static_cast<std::size_t>(e.room) < router_->building().rooms.size() && is_finite(e.pose);
-}
-
 /// In the level's frame.
 double Certainty::heading_of(const Estimate& e) const noexcept {
   return e.pose.heading + router_->building().room(e.room).frame.heading;
@@ -23,7 +19,7 @@ bool Certainty::follow(const Estimate& e) noexcept {
   constexpr double kFastest = 2.5;            // m/s
   constexpr double kWalks = 0.3;              // m/s; slower, an estimate only wavers
   const Estimate last = std::exchange(last_, e);
-  if (!is_place(last) || !is_place(e)) return false;
+  if (!is_place(router_->building(), last) || !is_place(router_->building(), e)) return false;
   const double seconds = std::clamp(e.time_s - last.time_s, 0.0, 1.0);
   const double turn = wrap_angle(heading_of(e) - heading_of(last));
   const bool jumps = least_walk(*router_, last, e) > kNoStep + kFastest * seconds;
@@ -41,7 +37,7 @@ bool Certainty::follow(const Estimate& e) noexcept {
 bool Certainty::is_within_walk(const Estimate& e) const noexcept {
   constexpr double kSlack = 1.5;           // metres, for what either place may be off
   constexpr double kAstray = degrees(60.0);
-  if (!is_place(home_) || !is_place(e)) return false;
+  if (!is_place(router_->building(), home_) || !is_place(router_->building(), e)) return false;
   const double off = wrap_angle(heading_of(e) - heading_of(home_) - turned_);
   return least_walk(*router_, home_, e) <= kSlack + walked_ && std::abs(off) < kAstray;
 }
@@ -49,7 +45,7 @@ bool Certainty::is_within_walk(const Estimate& e) const noexcept {
 /// True once the place has been for a moment where nobody can have walked to: the one before was wrong, or this one is.
 bool Certainty::has_moved_away(const Estimate& e, bool suspended) noexcept {
   constexpr double kMoment = 0.6;  // s
-  const bool away = level_ != Level::lost && !suspended && is_place(e) && !is_within_walk(e);
+  const bool away = level_ != Level::lost && !suspended && is_place(router_->building(), e) && !is_within_walk(e);
   if (!away) away_since_ = -1.0;
   else if (away_since_ < 0.0) away_since_ = e.time_s;
   return away && e.time_s - away_since_ >= kMoment;

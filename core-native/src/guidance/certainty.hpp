@@ -27,7 +27,6 @@ class Certainty {
   [[nodiscard]] bool was_sure() const noexcept { return was_sure_; }
 
  private:
-  [[nodiscard]] bool is_place(const Estimate& estimate) const noexcept;
   [[nodiscard]] double heading_of(const Estimate& estimate) const noexcept;
   [[nodiscard]] bool follow(const Estimate& estimate) noexcept;
   [[nodiscard]] bool is_within_walk(const Estimate& estimate) const noexcept;

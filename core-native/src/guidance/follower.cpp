@@ -150,31 +150,33 @@ void Follower::learn_reaction(const Estimate& e) noexcept {
   reaction_s_ += (std::clamp(after - kSeenAfter, 0.2, 2.0) - reaction_s_) / (reactions_ + 1.0);
 }
 
-/// The latest place on the way straight on where a wearer has done as `cue` says, metres from here.
-double Follower::latest_turn(const View& view, const Cue& cue, double blur) const noexcept {
+Follower::Approach Follower::approach(const View& view, const Cue& cue, const Demand& demand) const noexcept {
+  const Estimate& e = *view.estimate;
   const double spread = reactions_ < 2 ? kStranger : kAcquaintance;
-  return lead(view, cue) + spread * view.speed + blur;
+  Approach way;
+  way.ahead = unit_from_angle(e.pose.heading);
+  way.blur = demand.sigmas * std::min(e.sigma_m, kMostBlur);
+  way.due = lead(view, cue);
+  way.latest = way.due + spread * view.speed + way.blur;
+  way.until_wall = std::max(0.0, router_->space(e.room).reach(e.pose.position, way.ahead, 10.0) - config_->body_m);
+  return way;
 }
 
-/// True when a wearer who does as `cue` says, where and when they will come to it, faces no wall.
-bool Follower::clear_of_walls(const View& view, const Cue& cue, double direction, const Demand& demand) const noexcept {
+/// True when a wearer who has done as they were told, where and when they will come to it, faces no wall.
+bool Follower::clear_of_walls(const View& view, const Approach& way, double direction, const Demand& demand) const noexcept {
   const Pose2& pose = view.estimate->pose;
   const FreeSpace& space = router_->space(view.estimate->room);
-  const Vec2 ahead = unit_from_angle(pose.heading);
-  const double blur = demand.sigmas * std::min(view.estimate->sigma_m, kMostBlur);
-  const double until_wall = std::max(0.0, space.reach(pose.position, ahead, 10.0) - config_->body_m);
   const double drift = direction == 0.0 ? 0.0 : std::sin(kWobble);  // who goes on anyhow is no worse off than they were
-  const double latest = latest_turn(view, cue, blur);
   // All the way there too: somebody who touches a wall meanwhile stands still and does it where they are.
-  const int stops = 1 + static_cast<int>(std::ceil(latest / kStops));
+  const int stops = 1 + static_cast<int>(std::ceil(way.latest / kStops));
   for (int i = 0; i <= stops; ++i) {
-    const double on = std::min(latest * i / stops, until_wall);
-    const Vec2 there = pose.position + on * ahead;
-    const double play = blur + on * drift;
+    const double on = std::min(way.latest * i / stops, way.until_wall);
+    const Vec2 there = pose.position + on * way.ahead;
+    const double play = way.blur + on * drift;
     for (const double side : {-1.0, 1.0}) {
-      const Vec2 way = unit_from_angle(pose.heading + direction + side * kWobble);
+      const Vec2 then = unit_from_angle(pose.heading + direction + side * kWobble);
       for (const double error : {-play, play}) {
-        if (space.reach(there + error * perpendicular(way), way, demand.free_m) < demand.free_m) return false;
+        if (space.reach(there + error * perpendicular(then), then, demand.free_m) < demand.free_m) return false;
       }
     }
   }
@@ -182,24 +184,23 @@ bool Follower::clear_of_walls(const View& view, const Cue& cue, double direction
 }
 
 /// The same of things that no plan knows.
-bool Follower::clear_of_things(const View& view, const Cue& cue, double direction, const Demand& demand) const noexcept {
+bool Follower::clear_of_things(const View& view, const Approach& way, double direction, const Demand& demand) const noexcept {
   const Pose2& pose = view.estimate->pose;
-  const Vec2 ahead = unit_from_angle(pose.heading);
   const double needed = std::min(demand.free_m, kFaceThing);
-  const double play = latest_turn(view, cue, demand.sigmas * std::min(view.estimate->sigma_m, kMostBlur)) - lead(view, cue);
-  const double until_wall = std::max(0.0, router_->space(view.estimate->room).reach(pose.position, ahead, 10.0) - config_->body_m);
-  for (const double on : {lead(view, cue) - play, lead(view, cue) + play, 0.0}) {
-    const Vec2 there = pose.position + std::min(on, until_wall) * ahead;
+  const double play = way.latest - way.due;
+  for (const double on : {way.due - play, way.due + play, 0.0}) {
+    const Vec2 there = pose.position + std::min(on, way.until_wall) * way.ahead;
     for (const double side : {-1.0, 1.0}) {
-      const Vec2 way = unit_from_angle(pose.heading + direction + side * kWobble);
-      if (hindrances_.reach(view.estimate->room, view.now, there, way, needed) < needed) return false;
+      const Vec2 then = unit_from_angle(pose.heading + direction + side * kWobble);
+      if (hindrances_.reach(view.estimate->room, view.now, there, then, needed) < needed) return false;
     }
   }
   return true;
 }
 
 bool Follower::clear_ahead(const View& view, const Cue& cue, double direction, const Demand& demand) const noexcept {
-  return clear_of_walls(view, cue, direction, demand) && clear_of_things(view, cue, direction, demand);
+  const Approach way = approach(view, cue, demand);
+  return clear_of_walls(view, way, direction, demand) && clear_of_things(view, way, direction, demand);
 }
 
 /// True when a walker who goes on like this brushes a wall before the next point, though the way to it is clear.
@@ -600,6 +601,7 @@ bool Follower::turn_in_tight_spot(const View& view, const Demand& demand, Announ
   const Pose2& pose = view.estimate->pose;
   constexpr std::array<double, 8> kWays{0.0, degrees(32.0), degrees(-32.0), degrees(85.0), degrees(-85.0), degrees(140.0), degrees(-140.0), kPi};
   constexpr std::array<double, 4> kSteps{0.35, 0.6, 0.9, 1.3};
+  const Approach from_here = approach(view, make_cue(CueKind::turn), demand);
   double best = 1e300;
   double way = 0.0;
   double length = 0.0;
@@ -614,7 +616,7 @@ bool Follower::turn_in_tight_spot(const View& view, const Demand& demand, Announ
       const View seen{.estimate = &then, .now = view.now};
       const double off = told(direction_to(then.pose, view.target));
       if (!in_reach(then, view.target) || !clear_ahead(seen, make_cue(CueKind::turn), understood(off), demand)) continue;
-      if (!clear_of_walls(view, make_cue(CueKind::turn), direction, demand)) continue;
+      if (!clear_of_walls(view, from_here, direction, demand)) continue;
       best = cost;
       way = direction;
       length = step;
@@ -715,7 +717,8 @@ bool Follower::go_on(const View& view, Announcer& voice) {
   const double free = std::min(Demand{}.free_m, 0.8 * along);
   const double direction = amend ? view.off : 0.0;
   const Demand demand{free, Demand{}.sigmas};
-  if (!clear_of_walls(view, cue, direction, demand) || !(amend || clear_of_things(view, cue, direction, demand))) return false;
+  const Approach way = approach(view, cue, demand);
+  if (!clear_of_walls(view, way, direction, demand) || !(amend || clear_of_things(view, way, direction, demand))) return false;
   cue.distance_m = along;
   cue.sigma_m = view.estimate->sigma_m;
   if (new_way_) {

@@ -70,9 +70,17 @@ class Follower {
   void time_reaction(const View& view, const Cue& cue) noexcept;
   /// How far a walker goes while `cue` is spoken and until they act on it.
   [[nodiscard]] double lead(const View& view, const Cue& cue) const noexcept;
-  [[nodiscard]] double latest_turn(const View& view, const Cue& cue, double blur) const noexcept;
-  [[nodiscard]] bool clear_of_walls(const View& view, const Cue& cue, double direction, const Demand& demand) const noexcept;
-  [[nodiscard]] bool clear_of_things(const View& view, const Cue& cue, double direction, const Demand& demand) const noexcept;
+  /// Where a wearer who goes straight on does what they are told, in metres from here.
+  struct Approach {
+    Vec2 ahead{};             ///< Unit.
+    double blur = 0.0;        ///< The position may be off by so much.
+    double due = 0.0;         ///< Most likely,
+    double latest = 0.0;      ///< and at the latest,
+    double until_wall = 0.0;  ///< but no farther than this.
+  };
+  [[nodiscard]] Approach approach(const View& view, const Cue& cue, const Demand& demand) const noexcept;
+  [[nodiscard]] bool clear_of_walls(const View& view, const Approach& way, double direction, const Demand& demand) const noexcept;
+  [[nodiscard]] bool clear_of_things(const View& view, const Approach& way, double direction, const Demand& demand) const noexcept;
   [[nodiscard]] bool clear_ahead(const View& view, const Cue& cue, double direction, const Demand& demand) const noexcept;
   [[nodiscard]] bool grazes(const View& view) const noexcept;
   void note_touch(const View& view) noexcept;

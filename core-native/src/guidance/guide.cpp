@@ -11,6 +11,7 @@
 #include "guidance/health_watch.hpp"
 #include "guidance/heard_space.hpp"
 #include "guidance/obstacle_watch.hpp"
+#include "guidance/place_change.hpp"
 #include "guidance/probe.hpp"
 #include "guidance/surroundings.hpp"
 #include "guidance/turn_watch.hpp"
@@ -50,10 +51,7 @@ struct Guide::Impl {
   void tell_free_place();
   void drop_crumb();
   void note_link();
-  [[nodiscard]] bool position_usable() const {
-    return estimate.room >= 0 && static_cast<std::size_t>(estimate.room) < router->building().rooms.size() &&
-           is_finite(estimate.pose);
-  }
+  [[nodiscard]] bool position_usable() const { return guidance::is_place(router->building(), estimate); }
 
   const Router* router;
   GuideConfig config;

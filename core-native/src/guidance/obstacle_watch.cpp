@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "guidance/echo_preview.hpp"
+#include "guidance/place_change.hpp"
 
 namespace echoway::guidance {
 namespace {
@@ -25,7 +26,7 @@ void ObstacleWatch::on_firing(const Firing& firing, const Estimate& e) noexcept 
   const double bearing = wrap_angle(belt.bearing(firing.sensor));
   const double furthest = std::abs(bearing) > kSector ? kBesides : kFurthest;
   if (firing.range_m < kNearest || firing.range_m > furthest) return;
-  if (e.room < 0 || static_cast<std::size_t>(e.room) >= router_->building().rooms.size() || !is_finite(e.pose)) return;
+  if (!is_place(router_->building(), e)) return;
   const FreeSpace& space = router_->space(e.room);
   const double axis = e.pose.heading + bearing;
   const Vec2 face = e.pose.position + belt.radius_m * unit_from_angle(axis);

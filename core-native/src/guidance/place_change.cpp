@@ -1,9 +1,14 @@
 #include "guidance/place_change.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 
 namespace echoway::guidance {
+
+bool is_place(const Building& building, const Estimate& e) noexcept {
+  return e.room >= 0 && static_cast<std::size_t>(e.room) < building.rooms.size() && is_finite(e.pose);
+}
 
 double least_walk(const Router& router, const Estimate& from, const Estimate& to) noexcept {
   if (from.room == to.room) return distance(from.pose.position, to.pose.position);
