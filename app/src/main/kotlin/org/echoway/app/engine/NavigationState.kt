@@ -3,9 +3,13 @@ package org.echoway.app.engine
 import org.echoway.app.building.InstalledBuilding
 import org.echoway.core.BeltHealth
 import org.echoway.core.Estimate
+import org.echoway.core.Plan
 
 /** What navigation knows now; screen, voice, touch and notification all observe this and nothing else. */
 sealed interface NavigationState {
+    /** What the wearer walks through; null while guidance is off. */
+    val plan: Plan? get() = null
+
     data object Idle : NavigationState
 
     /** Navigation could not begin; [reason] is the core's own sentence. */
@@ -28,7 +32,9 @@ sealed interface NavigationState {
         val leading: Wish? = null,
         val obstacleM: Double? = null,
         val movedS: Double = timeS,
-    ) : NavigationState
+    ) : NavigationState {
+        override val plan: Plan get() = building.plan
+    }
 }
 
 /** The belt's line, before anything on it is understood. */

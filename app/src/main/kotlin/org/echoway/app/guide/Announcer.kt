@@ -40,7 +40,7 @@ class Announcer {
     }
 
     /** The plan that the wearer walks through; null while guidance is off. */
-    val plan: Plan? get() = (previous as? NavigationState.Running)?.building?.plan
+    val plan: Plan? get() = previous.plan
 
     private fun lastRoom(state: NavigationState.Running) =
         state.building.plan.rooms.getOrNull(state.estimate.room).takeIf { state.estimate.state == TrackState.TRACKING }

@@ -4,7 +4,6 @@ import androidx.lifecycle.ViewModel
 import androidx.lifecycle.viewModelScope
 import java.io.InputStream
 import kotlinx.coroutines.flow.MutableStateFlow
-import kotlinx.coroutines.flow.SharingStarted
 import kotlinx.coroutines.flow.StateFlow
 import kotlinx.coroutines.flow.combine
 import kotlinx.coroutines.flow.map
@@ -18,6 +17,7 @@ import org.echoway.app.building.InstalledBuilding
 import org.echoway.app.building.UnusableBuilding
 import org.echoway.app.settings.Settings
 import org.echoway.app.settings.SettingsStore
+import org.echoway.app.ui.common.WHILE_SHOWN
 
 /** Bringing buildings in, choosing, checking and deleting them. */
 class BuildingsViewModel(private val library: BuildingLibrary, private val settings: SettingsStore) : ViewModel() {
@@ -26,7 +26,7 @@ class BuildingsViewModel(private val library: BuildingLibrary, private val setti
 
     val uiState: StateFlow<BuildingsUiState> =
         combine(library.revision.map { library.all() }, settings.settings, notice, asking, ::show)
-            .stateIn(viewModelScope, SharingStarted.WhileSubscribed(STOP_AFTER_MS), BuildingsUiState())
+            .stateIn(viewModelScope, WHILE_SHOWN, BuildingsUiState())
 
     fun importZip(name: String, open: () -> InputStream) = import { library.importZip(name, open) }
 
@@ -77,8 +77,4 @@ class BuildingsViewModel(private val library: BuildingLibrary, private val setti
     private fun item(building: InstalledBuilding, settings: Settings) = BuildingItem(
         building.id, building.title, building.plan.rooms.size, building.plan.exits.size, building.imported, building.id == settings.building,
     )
-
-    private companion object {
-        const val STOP_AFTER_MS = 5_000L
-    }
 }

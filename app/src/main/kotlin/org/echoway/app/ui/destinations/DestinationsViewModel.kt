@@ -3,7 +3,6 @@ package org.echoway.app.ui.destinations
 import android.content.res.Resources
 import androidx.lifecycle.ViewModel
 import androidx.lifecycle.viewModelScope
-import kotlinx.coroutines.flow.SharingStarted
 import kotlinx.coroutines.flow.StateFlow
 import kotlinx.coroutines.flow.distinctUntilChanged
 import kotlinx.coroutines.flow.map
@@ -14,6 +13,7 @@ import org.echoway.app.engine.NavigationState
 import org.echoway.app.engine.Wish
 import org.echoway.app.guide.Ask
 import org.echoway.app.guide.Wording
+import org.echoway.app.ui.common.WHILE_SHOWN
 import org.echoway.core.Destination
 import org.echoway.core.DestinationKind
 import org.echoway.core.Plan
@@ -27,7 +27,7 @@ class DestinationsViewModel(private val container: AppContainer, private val res
         .map { state -> (state as? NavigationState.Running)?.let { it.building.plan to it.leading } }
         .distinctUntilChanged()
         .map { it?.let { (plan, leading) -> show(plan, leading) } ?: DestinationsUiState.Off }
-        .stateIn(viewModelScope, SharingStarted.WhileSubscribed(STOP_AFTER_MS), DestinationsUiState.Off)
+        .stateIn(viewModelScope, WHILE_SHOWN, DestinationsUiState.Off)
 
     fun leadTo(destination: Destination) = container.guide.leadTo(destination)
 
@@ -44,7 +44,6 @@ class DestinationsViewModel(private val container: AppContainer, private val res
     )
 
     private companion object {
-        const val STOP_AFTER_MS = 5_000L
         val KINDS = listOf(DestinationKind.PLACE, DestinationKind.EXIT, DestinationKind.ROOM)
     }
 }

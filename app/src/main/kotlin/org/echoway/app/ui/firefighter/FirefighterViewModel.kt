@@ -2,7 +2,6 @@ package org.echoway.app.ui.firefighter
 
 import androidx.lifecycle.ViewModel
 import androidx.lifecycle.viewModelScope
-import kotlinx.coroutines.flow.SharingStarted
 import kotlinx.coroutines.flow.StateFlow
 import kotlinx.coroutines.flow.combine
 import kotlinx.coroutines.flow.stateIn
@@ -12,13 +11,14 @@ import org.echoway.app.control.Stillness
 import org.echoway.app.engine.NavigationState
 import org.echoway.app.guide.Ask
 import org.echoway.app.ui.StateWords
+import org.echoway.app.ui.common.WHILE_SHOWN
 
 /** Firefighter mode: on until its screen is left, through restarts of the app too. */
 class FirefighterViewModel(private val container: AppContainer, private val words: StateWords) : ViewModel() {
     val uiState: StateFlow<FirefighterUiState> =
         combine(container.navigator.state, container.guide.lastLine, container.lookout.stillness) { state, line, stillness ->
             FirefighterUiState(words.of(state), line, state is NavigationState.Running, stillness)
-        }.stateIn(viewModelScope, SharingStarted.WhileSubscribed(STOP_AFTER_MS), FirefighterUiState("", "", running = false, Stillness.MOVING))
+        }.stateIn(viewModelScope, WHILE_SHOWN, FirefighterUiState("", "", running = false, Stillness.MOVING))
 
     fun ask(ask: Ask) = container.guide.ask(ask)
 
@@ -30,9 +30,5 @@ class FirefighterViewModel(private val container: AppContainer, private val word
 
     private fun choose(on: Boolean) {
         viewModelScope.launch { container.settings.update { it.copy(firefighter = on) } }
-    }
-
-    private companion object {
-        const val STOP_AFTER_MS = 5_000L
     }
 }

@@ -4,7 +4,6 @@ import androidx.lifecycle.ViewModel
 import androidx.lifecycle.viewModelScope
 import kotlinx.coroutines.ExperimentalCoroutinesApi
 import kotlinx.coroutines.flow.Flow
-import kotlinx.coroutines.flow.SharingStarted
 import kotlinx.coroutines.flow.StateFlow
 import kotlinx.coroutines.flow.combine
 import kotlinx.coroutines.flow.map
@@ -17,6 +16,7 @@ import org.echoway.app.engine.Line
 import org.echoway.app.engine.NavigationState
 import org.echoway.app.guide.Ask
 import org.echoway.app.ui.StateWords
+import org.echoway.app.ui.common.WHILE_SHOWN
 import org.echoway.app.voice.VoiceStatus
 import org.echoway.core.LengthStyle
 import org.echoway.core.Plan
@@ -35,7 +35,7 @@ class LiveViewModel(private val container: AppContainer, private val words: Stat
         combine(chosen, container.navigator.state, container.guide.lastLine, container.voice.status, ::show)
             .combine(container.navigator.picture) { state, picture -> if (state is LiveUiState.On) state.copy(picture = picture) else state }
             .combine(container.settings.settings.map { it.lengths }.distinctUntilChanged(), ::measured)
-            .stateIn(viewModelScope, SharingStarted.WhileSubscribed(STOP_AFTER_MS), LiveUiState.Loading)
+            .stateIn(viewModelScope, WHILE_SHOWN, LiveUiState.Loading)
 
     fun whereAmI() = container.guide.ask(Ask.WHERE_AM_I)
 
@@ -74,9 +74,5 @@ class LiveViewModel(private val container: AppContainer, private val words: Stat
         data object Nothing : Choice
 
         data class Building(val building: InstalledBuilding) : Choice
-    }
-
-    private companion object {
-        const val STOP_AFTER_MS = 5_000L
     }
 }

@@ -3,7 +3,6 @@ package org.echoway.app.ui.recordings
 import androidx.lifecycle.ViewModel
 import androidx.lifecycle.viewModelScope
 import kotlinx.coroutines.flow.MutableStateFlow
-import kotlinx.coroutines.flow.SharingStarted
 import kotlinx.coroutines.flow.StateFlow
 import kotlinx.coroutines.flow.combine
 import kotlinx.coroutines.flow.map
@@ -14,6 +13,7 @@ import org.echoway.app.recording.RecordingStatus
 import org.echoway.app.recording.Recordings
 import org.echoway.app.settings.SettingsStore
 import org.echoway.app.settings.SourceKind
+import org.echoway.app.ui.common.WHILE_SHOWN
 
 /** What the recordings screen shows; null [all] while the folder is being read. */
 data class RecordingsUiState(
@@ -32,7 +32,7 @@ class RecordingsViewModel(private val recordings: Recordings, private val settin
         settings.settings,
         asking,
     ) { (status, all), settings, asked -> RecordingsUiState(all, settings.record, status, asked) }
-        .stateIn(viewModelScope, SharingStarted.WhileSubscribed(STOP_AFTER_MS), RecordingsUiState())
+        .stateIn(viewModelScope, WHILE_SHOWN, RecordingsUiState())
 
     fun record(on: Boolean) {
         viewModelScope.launch { settings.update { it.copy(record = on) } }
@@ -57,9 +57,5 @@ class RecordingsViewModel(private val recordings: Recordings, private val settin
     fun delete(recording: Recording) {
         asking.value = null
         viewModelScope.launch { recordings.delete(recording.name) }
-    }
-
-    private companion object {
-        const val STOP_AFTER_MS = 5_000L
     }
 }

@@ -7,7 +7,6 @@ import java.io.IOException
 import java.io.InputStream
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.flow.MutableStateFlow
-import kotlinx.coroutines.flow.SharingStarted
 import kotlinx.coroutines.flow.StateFlow
 import kotlinx.coroutines.flow.combine
 import kotlinx.coroutines.flow.map
@@ -20,6 +19,7 @@ import org.echoway.app.building.InstalledBuilding
 import org.echoway.app.recording.Recordings
 import org.echoway.app.settings.Settings
 import org.echoway.app.settings.SourceKind
+import org.echoway.app.ui.common.WHILE_SHOWN
 
 /** Choosing building, entrance and belt source. */
 class SetupViewModel(private val container: AppContainer, private val unknownEntrance: String) : ViewModel() {
@@ -27,7 +27,7 @@ class SetupViewModel(private val container: AppContainer, private val unknownEnt
 
     val uiState: StateFlow<SetupUiState> =
         combine(container.buildings.revision.map { container.buildings.all() }, container.settings.settings, problem, ::show)
-            .stateIn(viewModelScope, SharingStarted.WhileSubscribed(STOP_AFTER_MS), SetupUiState.Loading)
+            .stateIn(viewModelScope, WHILE_SHOWN, SetupUiState.Loading)
 
     fun chooseBuilding(id: String) = update { if (it.building == id) it else it.copy(building = id, entrance = null) }
 
@@ -85,9 +85,5 @@ class SetupViewModel(private val container: AppContainer, private val unknownEnt
         SourceKind.USB -> true
         SourceKind.SIMULATED_WALK -> building != null && container.hasSimulatedWalk(building.id)
         SourceKind.RECORDING -> settings.recording != null
-    }
-
-    private companion object {
-        const val STOP_AFTER_MS = 5_000L
     }
 }
