@@ -1,0 +1,88 @@
+#include "guidance/arrival.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "guidance/surroundings.hpp"
+
+namespace echoway::guidance {
+namespace {
+
+/// The destination in a cue.
+CueLandmark landmark_of(const Goal& goal) {
+  switch (goal.kind) {
+    case Goal::Kind::place:
+      return {CueLandmark::Kind::place, goal.index};
+    case Goal::Kind::exit:
+    case Goal::Kind::nearest_exit:
+      return {CueLandmark::Kind::exit, goal.index};
+    case Goal::Kind::room:
+      return {CueLandmark::Kind::room, goal.index};
+    case Goal::Kind::spot:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+void Arrival::note_room(const Estimate& e) noexcept {
+  if (e.room != room_) room_since_ = e.time_s;
+  room_ = e.room;
+}
+
+Arrival::After Arrival::after(const View& view) noexcept {
+  if (told_at_ < 0.0) return After::not_told;
+  constexpr double kSettle = 4.0;
+  if (view.now - told_at_ < kSettle) return After::settling;
+  const bool there = view.remaining < 1.5 * config_->arrive_m;
+  if (there && !view.walking && !view.vague) return After::done;
+  if (there || (view.walking && view.remaining < 2.0 * config_->arrive_m)) return After::settling;
+  told_at_ = -1.0;
+  return After::walked_on;
+}
+
+/// Before a doorway the room flickers: who is to go just inside is not there yet. And who is told that they are there
+/// asks no further.
+bool Arrival::is_place_known(const View& view) const noexcept {
+  constexpr double kSureOfRoom = 0.85;
+  constexpr double kInRoom = 1.0;  // s
+  const Estimate& e = *view.estimate;
+  return e.state == TrackState::tracking && e.sigma_m <= config_->found_sigma_m && e.room_probability >= kSureOfRoom &&
+         view.now - room_since_ >= kInRoom;
+}
+
+bool Arrival::is_there(const View& view, bool holding) const {
+  const Estimate& e = *view.estimate;
+  const Vec2 goal = way_->route().waypoints.back().at;
+  // Its first word is enough to stop at.
+  const double lead = reaction_->way(make_cue(CueKind::stop), view.speed);
+  // Said early only to somebody who walks straight up to it, from a place that is well known.
+  constexpr double kWellKnown = 0.3;  // m
+  const bool approaching = view.walking && e.sigma_m <= kWellKnown && !holding && std::abs(view.off) <= config_->ahead_rad;
+  const double near = approaching ? std::clamp(lead, config_->arrive_m, 1.6 * config_->arrive_m) : config_->arrive_m;
+  if (view.remaining <= near) return true;
+  return distance(goal, e.pose.position) <= near && router_->space(e.room).clear_between(e.pose.position, goal, 0.1);
+}
+
+Cue Arrival::cue_for(const Pose2& pose) const {
+  Cue cue = make_cue(CueKind::arrived);
+  cue.landmark = landmark_of(way_->route().goal);
+  const auto point_at = [&](const std::vector<Landmark>& all) {
+    const Vec2 at = all[static_cast<std::size_t>(cue.landmark.index)].at;
+    cue.has_direction = distance(at, pose.position) > 0.3;
+    cue.direction = direction_to(pose, at);
+  };
+  if (cue.landmark.kind == CueLandmark::Kind::place) point_at(router_->building().places);
+  if (cue.landmark.kind == CueLandmark::Kind::exit) point_at(router_->building().exits);
+  return cue;
+}
+
+bool Arrival::tell(const View& view, bool holding, Announcer& voice) {
+  if (way_->route().waypoints.back().room != view.estimate->room) return false;
+  if ((told_at_ < 0.0 && !is_place_known(view)) || !is_there(view, holding)) return false;
+  if (told_at_ < 0.0 && voice.offer(cue_for(view.estimate->pose), view.now)) told_at_ = view.now;
+  return true;
+}
+
+}  // namespace echoway::guidance

@@ -1,0 +1,58 @@
+#include "guidance/level_change.hpp"
+
+#include "guidance/surroundings.hpp"
+
+namespace echoway::guidance {
+
+void LevelChange::forget() noexcept {
+  told_ = -1;
+  suspended_until_ = -1e300;
+  landing_ = kNoRoom;
+}
+
+RoomIndex LevelChange::other_end(const LevelLink& link, RoomIndex here) const noexcept {
+  return link.room_a == here ? link.room_b : link.room_a;
+}
+
+Cue LevelChange::cue_for(CueKind kind, std::int32_t link, const View& view, Vec2 at) const noexcept {
+  const Building& building = router_->building();
+  const RoomIndex here = view.estimate->room;
+  const RoomIndex there = other_end(building.links[static_cast<std::size_t>(link)], here);
+  Cue cue = make_cue(kind);
+  cue.landmark = {CueLandmark::Kind::link, link};
+  cue.up = building.room(there).level > building.room(here).level;
+  cue.direction = direction_to(view.estimate->pose, at);
+  cue.has_direction = true;
+  return cue;
+}
+
+bool LevelChange::tell(const View& view, const LinePoint& end, double along, Announcer& voice) {
+  if (told_ == end.index) return false;
+  const LevelLink& link = router_->building().links[static_cast<std::size_t>(end.index)];
+  Cue cue = cue_for(link.kind == LevelLinkKind::stairs ? CueKind::stairs : CueKind::elevator, end.index, view, end.at);
+  cue.distance_m = along;
+  cue.sigma_m = view.estimate->sigma_m;
+  if (!voice.offer(cue, view.now)) return false;
+  told_ = end.index;
+  return true;
+}
+
+bool LevelChange::take(const View& view, Announcer& voice) {
+  const LinePoint& end = way_->line().back();
+  if (end.kind != WaypointKind::link_from || length_of(way_->line()) > config_->arrive_m + 0.5 * view.speed) return false;
+  if (!voice.offer(cue_for(CueKind::take_link, end.index, view, end.at), view.now)) return true;
+  const LevelLink& link = router_->building().links[static_cast<std::size_t>(end.index)];
+  const double patience = link.kind == LevelLinkKind::stairs ? config_->stairs_patience_s : config_->elevator_patience_s;
+  landing_ = other_end(link, view.estimate->room);
+  suspended_until_ = view.now + patience;
+  transition_ = LevelTransition{static_cast<std::size_t>(end.index), view.estimate->room, landing_, view.now, patience};
+  return true;
+}
+
+bool LevelChange::ends(const Estimate& e) noexcept {
+  if (landing_ == kNoRoom || (e.room != landing_ && e.time_s < suspended_until_)) return false;
+  forget();
+  return true;
+}
+
+}  // namespace echoway::guidance

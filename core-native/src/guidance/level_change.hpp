@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "echoway/locate/locator.hpp"
+#include "guidance/announcer.hpp"
+#include "guidance/view.hpp"
+#include "guidance/way.hpp"
+
+namespace echoway::guidance {
+
+/// Stairs and elevators on the way: told before, taken, and waited for until the wearer is found on the other level.
+class LevelChange {
+ public:
+  /// REQUIRES: all outlive this.
+  LevelChange(const Router& router, const GuideConfig& config, const Way& way) : router_(&router), config_(&config), way_(&way) {}
+
+  void forget() noexcept;
+
+  /// Stairs or an elevator `along` metres ahead; once each.
+  [[nodiscard]] bool tell(const View& view, const LinePoint& end, double along, Announcer& voice);
+  /// "Take the stairs up" to who is there. True while that is all there is to say.
+  [[nodiscard]] bool take(const View& view, Announcer& voice);
+
+  /// Whether the wearer has been sent off and is not yet known to have come out.
+  [[nodiscard]] bool is_under_way() const noexcept { return landing_ != kNoRoom; }
+  /// Ends it once they have, or have had the time; true then.
+  [[nodiscard]] bool ends(const Estimate& estimate) noexcept;
+
+  /// Echoes need not fit until then.
+  [[nodiscard]] double suspended_until() const noexcept { return suspended_until_; }
+  [[nodiscard]] std::optional<LevelTransition> take_transition() noexcept { return std::exchange(transition_, std::nullopt); }
+  void drop_transition() noexcept { transition_.reset(); }
+
+ private:
+  [[nodiscard]] RoomIndex other_end(const LevelLink& link, RoomIndex here) const noexcept;
+  [[nodiscard]] Cue cue_for(CueKind kind, std::int32_t link, const View& view, Vec2 at) const noexcept;
+
+  const Router* router_;
+  const GuideConfig* config_;
+  const Way* way_;
+  std::int32_t told_ = -1;
+  double suspended_until_ = -1e300;
+  RoomIndex landing_ = kNoRoom;  ///< Where they will come out; no room: nobody is under way.
+  std::optional<LevelTransition> transition_;
+};
+
+}  // namespace echoway::guidance

@@ -1,0 +1,44 @@
+#include "guidance/side_step.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "guidance/spoken_turn.hpp"
+#include "guidance/surroundings.hpp"
+
+namespace echoway::guidance {
+
+std::optional<SideStep> find_side_step(const Router& router, const GuideConfig& config, const Outlook& outlook,
+                                       const Aim& aim, const Way& way, const View& view, const Demand& demand) {
+  constexpr std::array<double, 8> kWays{0.0, degrees(32.0), degrees(-32.0), degrees(85.0), degrees(-85.0), degrees(140.0), degrees(-140.0), kPi};
+  constexpr std::array<double, 4> kSteps{0.35, 0.6, 0.9, 1.3};
+  constexpr double kMetresPerRadian = 0.4;
+  const FreeSpace& space = router.space(view.estimate->room);
+  const Pose2& pose = view.estimate->pose;
+  const Cue turn = make_cue(CueKind::turn);
+  const Outlook::Approach from_here = outlook.approach(view, turn, demand);
+  const auto can_turn_from = [&](const Pose2& there) {
+    Estimate then = *view.estimate;
+    then.pose = there;
+    const View seen{.estimate = &then, .now = view.now};
+    const double off = understood(told(direction_to(there, view.target)));
+    return aim.in_reach(then, view.target) && outlook.clear_ahead(seen, turn, off, demand);
+  };
+  std::optional<SideStep> best;
+  double least = 1e300;
+  for (const double direction : kWays) {
+    for (const double step : kSteps) {
+      const Vec2 there = pose.position + step * unit_from_angle(pose.heading + direction);
+      const double cost = step + std::abs(wrap_angle(direction - view.off)) * kMetresPerRadian;
+      if (cost >= least || !space.clear_between(pose.position, there, config.body_m)) continue;
+      if (way.hindrances().hinders({pose.position, there})) continue;
+      if (!can_turn_from({there, wrap_angle(pose.heading + direction)})) continue;
+      if (!outlook.clear_of_walls(view, from_here, direction, demand)) continue;
+      least = cost;
+      best = {direction, step};
+    }
+  }
+  return best;
+}
+
+}  // namespace echoway::guidance

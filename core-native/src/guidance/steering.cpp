@@ -1,0 +1,241 @@
+#include "guidance/steering.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "guidance/side_step.hpp"
+#include "guidance/spoken_turn.hpp"
+#include "guidance/surroundings.hpp"
+
+namespace echoway::guidance {
+namespace {
+
+/// What is nearer along the way than this is at hand already, metres.
+constexpr double kAtHand = 0.8;
+/// A wearer who is to go straight is put right first if they face this far off.
+constexpr double kFacingWell = degrees(9.0);
+/// Less than this is no use saying, whatever it leads to.
+constexpr double kWorthBending = degrees(4.0);
+/// Walkers who are off by more than this are turned, by less they bear to a side.
+constexpr double kMostBend = degrees(22.0);
+
+/// What a turn must leave free, first what is best; where there is so little room, less must do.
+constexpr std::array<Demand, 3> kDemands{{{}, {0.55, 1.0}, {0.5, 0.0}}};
+
+}  // namespace
+
+void Steering::forget() noexcept {
+  pacing_ = {};
+  stretch_.forget();
+}
+
+void Steering::watch_stretch(const View& view) noexcept {
+  constexpr double kAhead = 0.35;  // from the wearer's middle to what was touched, metres
+  switch (stretch_.watch(view, pacing_.hold_until)) {
+    case Stretch::Outcome::open:
+      return;
+    case Stretch::Outcome::met:
+      way_->hindrances().touch(view.estimate->room, view.estimate->pose, kAhead, view.now);
+      return;
+    case Stretch::Outcome::not_begun:
+      begin_leg();
+      return;
+  }
+}
+
+void Steering::hold_after(const Cue& cue, const View& view) {
+  if (cue.kind != CueKind::bear) stretch_.forget();
+  if (cue.kind != CueKind::stop || cue.tail.present) aim_->keep(view);
+  const double turn = cue.tail.present ? cue.tail.direction : cue.direction;
+  const double turning = cue.kind == CueKind::turn || cue.tail.present ? 0.6 + std::abs(turn) / degrees(90.0) : 0.6;
+  pacing_.hold_until = view.now + spoken_seconds(cue, *config_) + reaction_->seconds() + turning;
+  pacing_.last_said = view.now;
+}
+
+bool Steering::halt(const View& view, Announcer& voice) {
+  if (!view.walking || view.vague) return false;
+  const Pose2& pose = view.estimate->pose;
+  Cue cue = make_cue(CueKind::stop);
+  const double lead = reaction_->way(cue, view.speed) + 0.2 * view.speed;
+  const double free = router_->space(view.estimate->room).reach(pose.position, unit_from_angle(pose.heading), 10.0);
+  if (free - config_->body_m > lead) return false;
+  // On the way to a spot before that wall, where the wearer was told to go.
+  if (std::abs(view.off) <= config_->ahead_rad && view.target_away < free - config_->body_m) return false;
+  const double turn = told(view.off);
+  if (sector_of(turn) != Sector::ahead && outlook_.clear_ahead(view, cue, understood(turn), {})) {
+    cue.tail = {CueKind::turn, true, turn, -1.0};
+  }
+  if (!cue.tail.present || !voice.offer(cue, view.now)) return stop_walker(view, voice);
+  begin_leg();
+  hold_after(cue, view);
+  return true;
+}
+
+/// "Stop." once in a while; sooner after the last one "Stop. Door left.", which are other words.
+bool Steering::stop_walker(const View& view, Announcer& voice) {
+  Cue cue = make_cue(CueKind::stop);
+  if (!voice.would_speak(cue, view.now)) {
+    const LinePoint* door = way_->first_door().door;
+    if (door == nullptr) return false;
+    cue.tail = {CueKind::door, true, direction_to(view.estimate->pose, door->at), -1.0};
+  }
+  if (!voice.offer(cue, view.now)) return false;
+  begin_leg();
+  hold_after(cue, view);
+  return true;
+}
+
+/// A turn would face the wearer with a wall. Walkers are stopped first, where it is to be made. Whoever stands is sent
+/// another way by a step or two, from where the turn can be told.
+bool Steering::turn_in_tight_spot(const View& view, const Demand& demand, Announcer& voice) {
+  if (view.walking) {
+    const double lead = reaction_->way(make_cue(CueKind::stop), view.speed);
+    if (view.at_turn && view.turn.distance > lead) return true;  // not yet
+    return stop_walker(view, voice) || !voice.is_free(view.now);
+  }
+  const auto step = find_side_step(*router_, *config_, outlook_, *aim_, *way_, view, demand);
+  if (!step) return false;
+  constexpr double kPace = 0.7;  // m/s
+  Cue cue = make_cue(step->direction == 0.0 ? CueKind::go_straight : CueKind::turn);
+  if (step->direction == 0.0) {
+    cue.distance_m = step->length_m;
+  } else {
+    cue.direction = step->direction;
+    cue.has_direction = true;
+    cue.tail = {CueKind::go_straight, true, 0.0, step->length_m};
+  }
+  if (!voice.offer(cue, view.now)) return false;
+  begin_leg();
+  hold_after(cue, view);
+  pacing_.hold_until += step->length_m / kPace;
+  return true;
+}
+
+/// True when the turn cannot be told as it stands, because of walls: something else has been, or it has to wait.
+bool Steering::is_kept_from_turning(const View& view, const Cue& cue, double direction, Announcer& voice) {
+  const bool again = view.walking && voice.is_free(view.now) && !voice.would_speak(cue, view.now);
+  if (again && turn_in_tight_spot(view, {}, voice)) return true;
+  // In a tight spot less must do, rather than nothing; a walker is stopped instead.
+  for (const Demand& demand : kDemands) {
+    if (outlook_.clear_ahead(view, cue, understood(direction), demand)) return false;
+    if (turn_in_tight_spot(view, demand, voice)) return true;
+    if (view.walking) return false;
+  }
+  return false;
+}
+
+void Steering::word_turn(const View& view, double direction, const Announcer& voice, Cue& cue) const {
+  constexpr double kBack = degrees(100.0);
+  if (way_->is_new()) put_turn_in_tail(cue, CueKind::rerouted, direction);
+  else if (way_->is_astray(view.estimate->sigma_m) && std::abs(view.off) > kBack) put_turn_in_tail(cue, CueKind::wrong_way, direction);
+  if (cue.kind != CueKind::turn || voice.would_speak(cue, view.now)) return;
+  // The same words were said a moment ago and did not do, or are needed again: more words make them new. A walker is
+  // told how it goes on; whoever stands has to be put right first.
+  if (view.walking && view.at_turn) {
+    cue.tail = {CueKind::go_straight, true, 0.0, view.turn.run_out};
+    return;
+  }
+  put_turn_in_tail(cue, CueKind::stop, direction);
+  cue.urgency = Urgency::turn;
+}
+
+bool Steering::say_turn(const View& view, Announcer& voice) {
+  const double direction = told(view.off);
+  Cue cue = make_cue(CueKind::turn);
+  cue.direction = direction;
+  cue.has_direction = true;
+  if (is_kept_from_turning(view, cue, direction, voice)) return true;
+  word_turn(view, direction, voice, cue);
+  if (!voice.offer(cue, view.now)) return false;
+  reaction_->time(cue, view.estimate->pose.heading, view.now);
+  way_->told_new();
+  way_->forget_progress();
+  pacing_.straight_due = !(cue.tail.present && cue.tail.kind == CueKind::go_straight);
+  hold_after(cue, view);
+  return true;
+}
+
+bool Steering::turn(const View& view, Announcer& voice) {
+  const double off = std::abs(view.off);
+  if (view.vague && off <= degrees(45.0)) return false;
+  if (off > config_->ahead_rad && (!view.walking || view.at_turn || off > degrees(35.0))) return say_turn(view, voice);
+  if (!view.walking || view.vague || view.at_turn) return false;
+  // Walking a little off: only what would miss the next point by too much is worth a word.
+  const double noise = 2.0 * std::min(view.estimate->sigma_heading_rad, degrees(5.0));
+  const double miss = view.target_away * std::sin(std::min(off, kPi / 2));
+  const bool misses = off >= degrees(6.0) + 0.5 * noise && miss >= view.room_to_miss;
+  if (!misses && !(off >= kWorthBending && outlook_.grazes(view))) return false;
+  return off > kMostBend ? say_turn(view, voice) : say_bend(view, voice);
+}
+
+bool Steering::say_bend(const View& view, Announcer& voice) {
+  Cue cue = make_cue(CueKind::bear);
+  cue.direction = view.off;
+  cue.has_direction = true;
+  const double needed = reaction_->way(cue, view.speed);
+  // Left alone when a turn to the other side is due so soon that it would have to wait for this to be forgotten.
+  const double turn_off = wrap_angle(view.turn.heading - view.estimate->pose.heading);
+  const bool countered = view.turn.present && turn_off * view.off < 0.0 &&
+                         view.turn.distance < view.speed * config_->contradiction_gap_s + needed;
+  if (countered || view.target_away < needed || !voice.offer(cue, view.now)) return false;
+  hold_after(cue, view);
+  return true;
+}
+
+double Steering::length_to_tell(const View& view) const {
+  const double along = view.turn.present ? view.turn.distance : length_of(way_->line());
+  if (view.at_turn) return along + view.turn.run_out;
+  return view.turn.present && along < kAtHand ? view.target_away : along;
+}
+
+/// `amend`: who stands and faces a little off bears to that side first.
+Cue Steering::straight_cue(const View& view, double along, bool amend) const {
+  Cue cue = make_cue(CueKind::go_straight);
+  cue.sigma_m = view.estimate->sigma_m;
+  if (!way_->is_new() && !amend) {
+    cue.distance_m = along;
+    return cue;
+  }
+  cue.kind = amend ? CueKind::bear : CueKind::rerouted;
+  cue.tail = {CueKind::go_straight, true, 0.0, along};
+  if (amend) {
+    cue.direction = view.off;
+    cue.has_direction = true;
+  }
+  return cue;
+}
+
+bool Steering::go_on(const View& view, Announcer& voice) {
+  const bool stands = !view.walking && view.now - std::max(view.still_since, pacing_.last_said) > config_->nudge_s;
+  if (!(pacing_.straight_due || stands) || std::abs(view.off) > config_->ahead_rad) return false;
+  const bool amend = !view.walking && !view.vague && !way_->is_new() && std::abs(view.off) > kFacingWell;
+  const double along = length_to_tell(view);
+  const Cue plain = make_cue(CueKind::go_straight);
+  if (view.walking && along < reaction_->way(plain, view.speed)) return false;
+  const Demand demand{std::min(Demand{}.free_m, 0.8 * along), Demand{}.sigmas};
+  const Outlook::Approach way = outlook_.approach(view, plain, demand);
+  const double direction = amend ? view.off : 0.0;
+  if (!outlook_.clear_of_walls(view, way, direction, demand)) return false;
+  if (!amend && !outlook_.clear_of_things(view, way, direction, demand)) return false;
+  const Cue cue = straight_cue(view, along, amend);
+  if (!voice.offer(cue, view.now)) return false;
+  way_->told_new();
+  pacing_.straight_due = false;
+  stretch_.tell(view, along);
+  pacing_.hold_until = view.now + spoken_seconds(cue, *config_) + reaction_->seconds() + (amend ? 0.8 : 0.4);
+  pacing_.last_said = view.now;
+  return true;
+}
+
+CueTail Steering::as_tail(const View& view) {
+  begin_leg();
+  way_->told_new();
+  const bool clear = outlook_.clear_ahead(view, make_cue(CueKind::turn), understood(view.off), {});
+  if (std::abs(view.off) <= config_->ahead_rad || !clear) return {};
+  constexpr double kHold = 3.0;  // s
+  pacing_.hold_until = view.now + kHold;
+  return {CueKind::turn, true, view.off, -1.0};
+}
+
+}  // namespace echoway::guidance

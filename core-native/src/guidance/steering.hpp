@@ -1,0 +1,70 @@
+#pragma once
+
+#include "guidance/announcer.hpp"
+#include "guidance/aim.hpp"
+#include "guidance/outlook.hpp"
+#include "guidance/stretch.hpp"
+#include "guidance/view.hpp"
+#include "guidance/way.hpp"
+
+namespace echoway::guidance {
+
+/// Tells a wearer to stop, to turn, to bear or to go on: whichever takes them along the way, when it is time and where it
+/// can be done.
+class Steering {
+ public:
+  /// REQUIRES: all outlive this.
+  Steering(const Router& router, const GuideConfig& config, Way& way, Aim& aim, Reaction& reaction)
+      : router_(&router), config_(&config), way_(&way), aim_(&aim), reaction_(&reaction),
+        outlook_(router, config, way.hindrances(), reaction) {}
+
+  void forget() noexcept;
+  /// Things that the wearer has met on the stretch that they were told.
+  void watch_stretch(const View& view) noexcept;
+
+  // Each offers at most one line; true when that is all there is to say now.
+  /// "Stop" before a wall in the walking direction, nearer than the wearer can be turned in.
+  [[nodiscard]] bool halt(const View& view, Announcer& voice);
+  /// A turn, or a bend while walking.
+  [[nodiscard]] bool turn(const View& view, Announcer& voice);
+  /// "Go straight", once a leg; again to a wearer who stands on a clear way for long.
+  [[nodiscard]] bool go_on(const View& view, Announcer& voice);
+
+  /// Where to turn from here, as the tail of another line; not present when it goes straight on.
+  [[nodiscard]] CueTail as_tail(const View& view);
+
+  /// The last instruction is still being carried out.
+  [[nodiscard]] bool is_holding(double now) const noexcept { return now < pacing_.hold_until; }
+  /// The next leg begins: "go straight" is due.
+  void begin_leg() noexcept { pacing_.straight_due = true; }
+  [[nodiscard]] double last_said() const noexcept { return pacing_.last_said; }
+  void note_said(double now) noexcept { pacing_.last_said = now; }
+
+ private:
+  /// When the next instruction is due.
+  struct Pacing {
+    bool straight_due = true;    ///< "Go straight" has not been said on this leg.
+    double hold_until = -1e300;  ///< The last instruction is still being carried out.
+    double last_said = -1e300;
+  };
+  [[nodiscard]] bool say_turn(const View& view, Announcer& voice);
+  [[nodiscard]] bool is_kept_from_turning(const View& view, const Cue& cue, double direction, Announcer& voice);
+  void word_turn(const View& view, double direction, const Announcer& voice, Cue& cue) const;
+  [[nodiscard]] bool say_bend(const View& view, Announcer& voice);
+  [[nodiscard]] bool stop_walker(const View& view, Announcer& voice);
+  [[nodiscard]] bool turn_in_tight_spot(const View& view, const Demand& demand, Announcer& voice);
+  [[nodiscard]] Cue straight_cue(const View& view, double along, bool amend) const;
+  [[nodiscard]] double length_to_tell(const View& view) const;
+  void hold_after(const Cue& cue, const View& view);
+
+  const Router* router_;
+  const GuideConfig* config_;
+  Way* way_;
+  Aim* aim_;
+  Reaction* reaction_;
+  Outlook outlook_;
+  Stretch stretch_;
+  Pacing pacing_;
+};
+
+}  // namespace echoway::guidance
