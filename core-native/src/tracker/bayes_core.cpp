@@ -150,8 +150,9 @@ BayesLocator::Core::Verdict BayesLocator::Core::update(Population& population, c
   double plan = 0.0;
   double before = 0.0;
   const double anywhere = record.trust > 0.0 ? fit_.anywhere(record.echo, record.range) : 1.0;
+  const Stride stride(record.interval, motion_, pace_);
   for (Particle& p : population.particles()) {
-    advance(p, record.interval, motion_, pace_, random_);
+    stride.advance(p, random_);
     if (!links_.none()) links_.step(p, last_time_, record.interval.seconds, record.interval.turn_known, random_);
     const bool stepping = p.gait == Gait::walking || (p.gait == Gait::away && links_.on_stairs(p));
     p.weight *= stepping ? gait.walking : gait.standing;

@@ -34,73 +34,6 @@ void scale_speed_row(Covariance& c, double f) noexcept {
   c.ss *= f * f;
 }
 
-void predict(Particle& p, double dt, const MotionParameters& m, double pace) noexcept {
-  const double dx = p.facing.x * dt;
-  const double dy = p.facing.y * dt;
-  p.position = p.position + Vec2{dx * p.speed, dy * p.speed};
-  Covariance& c = p.cov;
-  c.xx += 2.0 * dx * c.xs + dx * dx * c.ss + m.sway * m.sway * dt;
-  c.xy += dx * c.ys + dy * c.xs + dx * dy * c.ss;
-  c.yy += 2.0 * dy * c.ys + dy * dy * c.ss + m.sway * m.sway * dt;
-  c.xs += dx * c.ss;
-  c.ys += dy * c.ss;
-  c.xk += dx * c.sk;
-  c.yk += dy * c.sk;
-  c.kk += m.scale_drift * m.scale_drift * dt;
-  if (p.gait == Gait::walking) {
-    const double back = std::min(1.0, dt / m.pace_memory);
-    p.speed += back * (pace - p.speed);
-    scale_speed_row(c, 1.0 - back);
-    const double drift = m.pace_drift * std::max(pace, m.slowest_pace);
-    c.ss += drift * drift * dt;
-  }
-  p.speed = std::clamp(p.speed, -m.fastest, m.fastest);
-}
-
-void change_gait(Particle& p, double dt, const MotionParameters& m, double pace, Random& random) noexcept {
-  const double rate = p.gait == Gait::walking ? m.stop_rate : m.start_rate;
-  if (random.uniform() >= 1.0 - fast_exp(-rate * dt)) return;
-  const double lost = m.change_seconds * std::max(std::abs(p.gait == Gait::walking ? p.speed : pace), m.slowest_pace);
-  if (p.gait == Gait::walking) {
-    p.gait = Gait::standing;
-    forget_speed(p, 0.0, m.standing_sigma);
-  } else {
-    p.gait = Gait::walking;
-    if (random.uniform() < m.new_pace_share) {
-      forget_speed(p, random.uniform(m.slowest_pace, m.fastest_pace), m.new_pace_sigma);
-    } else {
-      forget_speed(p, pace, m.start_sigma);
-    }
-  }
-  const double along = lost * lost;
-  p.cov.xx += along * p.facing.x * p.facing.x;
-  p.cov.xy += along * p.facing.x * p.facing.y;
-  p.cov.yy += along * p.facing.y * p.facing.y;
-}
-
-void turn_unaided(Particle& p, double dt, const MotionParameters& m, Random& random) noexcept {
-  const double straight = 3.0 * m.straight_sigma;
-  const bool turning = std::abs(p.turn_rate) > straight;
-  const double begin = p.gait == Gait::walking ? m.turn_rate_walking : m.turn_rate_standing;
-  const double u = random.uniform();
-  const double dice = turning ? u / ((m.turn_end_rate + m.turn_change_rate) * dt) : u / (begin * dt);
-  if (dice < 1.0) {
-    const bool ends = turning && dice * (m.turn_end_rate + m.turn_change_rate) < m.turn_end_rate;
-    if (ends) {
-      p.turn_rate = m.straight_sigma * cheap_normal(random);
-    } else {
-      const double rate = random.uniform(m.turn_slow, m.turn_fast);
-      const bool left = turning ? p.turn_rate > 0.0 : random.uniform() < 0.5;
-      p.turn_rate = left ? rate : -rate;
-    }
-  } else if (turning) {
-    p.turn_rate += m.turn_drift * std::sqrt(dt) * cheap_normal(random);
-  } else if (random.uniform() < 2.0 * dt) {
-    p.turn_rate = m.straight_sigma * cheap_normal(random);   // Sway.
-  }
-  p.heading += p.turn_rate * dt + m.gyro_noise * std::sqrt(dt) * cheap_normal(random);
-}
-
 }  // namespace
 
 void HintIntegrator::integrate_to(double time_s) noexcept {
@@ -209,23 +142,104 @@ HintIntegrator::GaitEvidence HintIntegrator::take_gait_evidence(double time_s, d
   return evidence;
 }
 
-void advance(Particle& p, const Interval& interval, const MotionParameters& m, double pace, Random& random) noexcept {
+Stride::Stride(const Interval& interval, const MotionParameters& m, double pace) noexcept
+    : parameters_(&m), interval_(interval), pace_(pace) {
   const double dt = interval.seconds;
-  if (!(dt > 0.0)) return;
-  const double before = p.heading;
-  if (interval.turn_known) {
-    const double root = std::sqrt(dt);
-    p.heading += interval.turn_without(p.gyro_bias) + m.gyro_noise * root * cheap_normal(random);
-    p.gyro_bias += m.gyro_bias_drift * root * cheap_normal(random);
+  const double root = std::sqrt(std::max(dt, 0.0));
+  stop_chance_ = 1.0 - fast_exp(-m.stop_rate * dt);
+  start_chance_ = 1.0 - fast_exp(-m.start_rate * dt);
+  turn_sigma_ = m.gyro_noise * root;
+  bias_sigma_ = m.gyro_bias_drift * root;
+  turn_drift_ = m.turn_drift * root;
+  sway_variance_ = m.sway * m.sway * dt;
+  scale_variance_ = m.scale_drift * m.scale_drift * dt;
+  const double drift = m.pace_drift * std::max(pace, m.slowest_pace);
+  pace_variance_ = drift * drift * dt;
+  pace_return_ = std::min(1.0, dt / m.pace_memory);
+}
+
+void Stride::predict(Particle& p) const noexcept {
+  const double dx = p.facing.x * interval_.seconds;
+  const double dy = p.facing.y * interval_.seconds;
+  p.position = p.position + Vec2{dx * p.speed, dy * p.speed};
+  Covariance& c = p.cov;
+  c.xx += 2.0 * dx * c.xs + dx * dx * c.ss + sway_variance_;
+  c.xy += dx * c.ys + dy * c.xs + dx * dy * c.ss;
+  c.yy += 2.0 * dy * c.ys + dy * dy * c.ss + sway_variance_;
+  c.xs += dx * c.ss;
+  c.ys += dy * c.ss;
+  c.xk += dx * c.sk;
+  c.yk += dy * c.sk;
+  c.kk += scale_variance_;
+  if (p.gait == Gait::walking) {
+    p.speed += pace_return_ * (pace_ - p.speed);
+    scale_speed_row(c, 1.0 - pace_return_);
+    c.ss += pace_variance_;
+  }
+  p.speed = std::clamp(p.speed, -parameters_->fastest, parameters_->fastest);
+}
+
+void Stride::change_gait(Particle& p, Random& random) const noexcept {
+  const MotionParameters& m = *parameters_;
+  if (random.uniform() >= (p.gait == Gait::walking ? stop_chance_ : start_chance_)) return;
+  const double lost = m.change_seconds * std::max(std::abs(p.gait == Gait::walking ? p.speed : pace_), m.slowest_pace);
+  if (p.gait == Gait::walking) {
+    p.gait = Gait::standing;
+    forget_speed(p, 0.0, m.standing_sigma);
   } else {
-    turn_unaided(p, dt, m, random);
+    p.gait = Gait::walking;
+    if (random.uniform() < m.new_pace_share) {
+      forget_speed(p, random.uniform(m.slowest_pace, m.fastest_pace), m.new_pace_sigma);
+    } else {
+      forget_speed(p, pace_, m.start_sigma);
+    }
+  }
+  const double along = lost * lost;
+  p.cov.xx += along * p.facing.x * p.facing.x;
+  p.cov.xy += along * p.facing.x * p.facing.y;
+  p.cov.yy += along * p.facing.y * p.facing.y;
+}
+
+void Stride::turn_unaided(Particle& p, Random& random) const noexcept {
+  const MotionParameters& m = *parameters_;
+  const double dt = interval_.seconds;
+  const double straight = 3.0 * m.straight_sigma;
+  const bool turning = std::abs(p.turn_rate) > straight;
+  const double begin = p.gait == Gait::walking ? m.turn_rate_walking : m.turn_rate_standing;
+  const double u = random.uniform();
+  const double dice = turning ? u / ((m.turn_end_rate + m.turn_change_rate) * dt) : u / (begin * dt);
+  if (dice < 1.0) {
+    const bool ends = turning && dice * (m.turn_end_rate + m.turn_change_rate) < m.turn_end_rate;
+    if (ends) {
+      p.turn_rate = m.straight_sigma * cheap_normal(random);
+    } else {
+      const double rate = random.uniform(m.turn_slow, m.turn_fast);
+      const bool left = turning ? p.turn_rate > 0.0 : random.uniform() < 0.5;
+      p.turn_rate = left ? rate : -rate;
+    }
+  } else if (turning) {
+    p.turn_rate += turn_drift_ * cheap_normal(random);
+  } else if (random.uniform() < 2.0 * dt) {
+    p.turn_rate = m.straight_sigma * cheap_normal(random);   // Sway.
+  }
+  p.heading += p.turn_rate * dt + turn_sigma_ * cheap_normal(random);
+}
+
+void Stride::advance(Particle& p, Random& random) const noexcept {
+  if (!(interval_.seconds > 0.0)) return;
+  const double before = p.heading;
+  if (interval_.turn_known) {
+    p.heading += interval_.turn_without(p.gyro_bias) + turn_sigma_ * cheap_normal(random);
+    p.gyro_bias += bias_sigma_ * cheap_normal(random);
+  } else {
+    turn_unaided(p, random);
   }
   // The mean direction over the interval carries the walk; the final one aims the sensors.
   const SinCos mid = fast_sincos(0.5 * (before + p.heading));
   p.facing = {mid.cos, mid.sin};
   if (p.gait != Gait::away) {
-    change_gait(p, dt, m, pace, random);
-    predict(p, dt, m, pace);
+    change_gait(p, random);
+    predict(p);
   }
   p.heading = wrap_near(p.heading);
   const SinCos end = fast_sincos(p.heading);

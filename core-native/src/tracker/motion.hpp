@@ -96,7 +96,33 @@ class HintIntegrator {
   bool fresh_step_ = false;
 };
 
-/// Moves `particle` through `interval`, with noise from `random`; `pace` is the wearer's usual walking speed.
-void advance(Particle& particle, const Interval& interval, const MotionParameters& parameters, double pace, Random& random) noexcept;
+/// An interval prepared for all particles: whatever is the same for each is worked out once.
+class Stride {
+ public:
+  Stride() = default;
+  /// `pace` is the wearer's usual walking speed. `parameters` must outlive the stride.
+  Stride(const Interval& interval, const MotionParameters& parameters, double pace) noexcept;
+
+  /// Moves `particle` through the interval, with noise from `random`.
+  void advance(Particle& particle, Random& random) const noexcept;
+
+ private:
+  void turn_unaided(Particle& particle, Random& random) const noexcept;
+  void change_gait(Particle& particle, Random& random) const noexcept;
+  void predict(Particle& particle) const noexcept;
+
+  const MotionParameters* parameters_ = nullptr;
+  Interval interval_{};
+  double pace_ = 0.0;
+  double stop_chance_ = 0.0;      ///< That walking ends,
+  double start_chance_ = 0.0;     ///< or begins.
+  double turn_sigma_ = 0.0;       ///< What the interval adds to the heading,
+  double bias_sigma_ = 0.0;       ///< to the gyroscope's bias
+  double turn_drift_ = 0.0;       ///< and to the speed of a turn.
+  double sway_variance_ = 0.0;
+  double scale_variance_ = 0.0;
+  double pace_variance_ = 0.0;
+  double pace_return_ = 0.0;      ///< Share of the way back to the usual pace.
+};
 
 }  // namespace echoway::tracker

@@ -22,9 +22,9 @@ Shot shot_of_past(const Record& record, const BeltConfig& belt) noexcept {
   return shot;
 }
 
-// Replays one firing; `walks` when the way since the firing before counts.
-void replay(Particle& p, const Record& record, const Shot& shot, bool walks, const SearchTools& tools, Random& random) noexcept {
-  if (walks) advance(p, record.interval, tools.motion, tools.pace, random);
+// Replays one firing; no `stride` when the way since the firing before does not count.
+void replay(Particle& p, const Record& record, const Shot& shot, const Stride* stride, const SearchTools& tools, Random& random) noexcept {
+  if (stride != nullptr) stride->advance(p, random);
   if (record.trust > 0.0) p.weight *= tempered(assimilate(p, shot, tools.model, tools.scene).density, record.novelty);
   p.weight *= std::max(1e-9, settle_on_floor(p, tools.scene));
 }
@@ -46,11 +46,17 @@ bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budg
       round_end_ = std::min(reached_ + kRound, tools.history.end());
     }
     std::array<Shot, kRound> shots;
-    for (std::uint64_t n = reached_; n < round_end_; ++n) shots[static_cast<std::size_t>(n - reached_)] = shot_of_past(tools.history[n], tools.belt);
+    std::array<Stride, kRound> strides;
+    for (std::uint64_t n = reached_; n < round_end_; ++n) {
+      const auto i = static_cast<std::size_t>(n - reached_);
+      shots[i] = shot_of_past(tools.history[n], tools.belt);
+      strides[i] = Stride(tools.history[n].interval, tools.motion, tools.pace);
+    }
     const auto particles = population_.particles();
     for (; cursor_ < particles.size() && spent < budget; ++cursor_) {
       for (std::uint64_t n = reached_; n < round_end_; ++n, ++spent) {
-        replay(particles[cursor_], tools.history[n], shots[static_cast<std::size_t>(n - reached_)], n != first_, tools, random);
+        const auto i = static_cast<std::size_t>(n - reached_);
+        replay(particles[cursor_], tools.history[n], shots[i], n != first_ ? &strides[i] : nullptr, tools, random);
       }
     }
     if (cursor_ < particles.size()) return false;
