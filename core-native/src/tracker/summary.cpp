@@ -9,6 +9,25 @@
 namespace echoway::tracker {
 namespace {
 
+// A room's frame in its level's, as every particle in the room needs it.
+struct RoomFrame {
+  RoomIndex room = kNoRoom;
+  int level = 0;
+  Pose2 pose{};
+  Vec2 turn{1.0, 0.0};                             // cos, sin of its heading,
+  double cos2 = 1.0, sin2 = 0.0, cos_sin = 0.0;    // and their products.
+
+  RoomFrame() = default;
+  RoomFrame(const Building& building, RoomIndex index) noexcept
+      : room(index),
+        level(building.room(index).level),
+        pose(building.room(index).frame),
+        turn(unit_from_angle(pose.heading)),
+        cos2(turn.x * turn.x),
+        sin2(turn.y * turn.y),
+        cos_sin(turn.x * turn.y) {}
+};
+
 // A particle in its level's frame.
 struct Placed {
   int level;
@@ -16,9 +35,11 @@ struct Placed {
   double heading;
 };
 
-Placed place(const Particle& p, const Building& building) noexcept {
-  const Room& room = building.room(p.room);
-  return {room.level, room.frame.transform(p.position), p.heading + room.frame.heading};
+Placed place(const Particle& p, const RoomFrame& frame) noexcept {
+  const Vec2 t = frame.turn;
+  const Vec2 at{frame.pose.position.x + t.x * p.position.x - t.y * p.position.y,
+                frame.pose.position.y + t.y * p.position.x + t.x * p.position.y};
+  return {frame.level, at, p.heading + frame.pose.heading};
 }
 
 struct Cluster {
@@ -46,14 +67,24 @@ struct Cluster {
   }
 };
 
-void add(Cluster& c, const Particle& p, const Placed& at, Vec2 frame) noexcept {
+// Where a particle lies from a cluster's anchor.
+struct FromAnchor {
+  Vec2 offset{};
+  double turn = 0.0;
+};
+
+FromAnchor from_anchor(const Placed& at, const Placed& anchor) noexcept {
+  return {at.position - anchor.position, wrap_near(at.heading - anchor.heading)};
+}
+
+void add(Cluster& c, const Particle& p, const FromAnchor& from, const RoomFrame& frame) noexcept {
   const double w = p.weight;
-  const Vec2 d = at.position - c.anchor.position;
-  const double turn = wrap_near(at.heading - c.anchor.heading);
+  const Vec2 d = from.offset;
+  const double turn = from.turn;
   // The particle's own covariance, turned into the level's frame.
-  const double xx = frame.x * frame.x * p.cov.xx - 2.0 * frame.x * frame.y * p.cov.xy + frame.y * frame.y * p.cov.yy;
-  const double yy = frame.y * frame.y * p.cov.xx + 2.0 * frame.x * frame.y * p.cov.xy + frame.x * frame.x * p.cov.yy;
-  const double xy = frame.x * frame.y * (p.cov.xx - p.cov.yy) + (frame.x * frame.x - frame.y * frame.y) * p.cov.xy;
+  const double xx = frame.cos2 * p.cov.xx - 2.0 * frame.cos_sin * p.cov.xy + frame.sin2 * p.cov.yy;
+  const double yy = frame.sin2 * p.cov.xx + 2.0 * frame.cos_sin * p.cov.xy + frame.cos2 * p.cov.yy;
+  const double xy = frame.cos_sin * (p.cov.xx - p.cov.yy) + (frame.cos2 - frame.sin2) * p.cov.xy;
   c.weight += w;
   c.offset = c.offset + w * d;
   c.xx += w * (xx + d.x * d.x);
@@ -150,29 +181,25 @@ Summary summarize(std::span<const Particle> particles, const Building& building,
   Summary summary;
   std::array<Cluster, Summary::kMaxClusters> clusters;
   int count = 0;
-  RoomIndex cached = kNoRoom;
-  Vec2 frame{1.0, 0.0};
+  RoomFrame frame;
   const double radius2 = parameters.cluster_radius * parameters.cluster_radius;
   for (const Particle& p : particles) {
-    const Placed at = place(p, building);
-    if (p.room != cached) {
-      cached = p.room;
-      const double h = building.room(p.room).frame.heading;
-      frame = h == 0.0 ? Vec2{1.0, 0.0} : unit_from_angle(h);
-    }
+    if (p.room != frame.room) frame = RoomFrame(building, p.room);
+    const Placed at = place(p, frame);
+    FromAnchor from;
     int found = -1;
     for (int i = 0; i < count && found < 0; ++i) {
       const Placed& a = clusters[static_cast<std::size_t>(i)].anchor;
-      if (a.level == at.level && squared_norm(at.position - a.position) < radius2 &&
-          std::abs(wrap_near(at.heading - a.heading)) < parameters.cluster_angle) {
-        found = i;
-      }
+      if (a.level != at.level) continue;
+      from = from_anchor(at, a);
+      if (squared_norm(from.offset) < radius2 && std::abs(from.turn) < parameters.cluster_angle) found = i;
     }
     if (found < 0 && count < Summary::kMaxClusters) {
       found = count++;
       clusters[static_cast<std::size_t>(found)].anchor = at;
+      from = {};
     }
-    if (found >= 0) add(clusters[static_cast<std::size_t>(found)], p, at, frame);
+    if (found >= 0) add(clusters[static_cast<std::size_t>(found)], p, from, frame);
   }
   // Insertion sort: a dozen at most, and std::stable_sort would allocate.
   for (int i = 1; i < count; ++i) {
