@@ -9,5 +9,5 @@ function(echoway_compile_options target)
                                            -Wnon-virtual-dtor -Wno-missing-field-initializers -Werror)
   # GCC 12 sees an overlap in `"literal" + std::string` where there is none (GCC bug 105329).
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
-  target_compile_options(${target} PUBLIC -ffp-contract=off)
+  target_compile_options(${target} PUBLIC -ffp-contract=off -fno-math-errno)
 endfunction()
