@@ -126,24 +126,45 @@ Arc directions(const Reflector& r, const Candidate& c, const Corners& box) noexc
   return {reference + low, high - low};
 }
 
-void fill_sectors(const RoomScene& room, const std::vector<Candidate>& seen, const Corners& box, const SightLimits& limits, Cell& cell) {
-  std::array<Arc, Cell::kMaxEntries> arcs;
-  std::array<double, Cell::kMaxEntries> cut_off;
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    const Reflector& r = room.reflectors[seen[i].reflector];
-    arcs[i] = directions(r, seen[i], box);
-    const bool rough = r.kind == ReflectorKind::wall && may_be_rough(seen[i], limits);
-    cut_off[i] = rough ? std::max(limits.cut_off_rad, limits.rough_cut_off_rad) : limits.cut_off_rad;
-  }
+// Sectors whose directions come within `reach` of those of the arc, as a bit mask.
+std::uint32_t sectors_near(const Arc& arc, double reach) noexcept {
   constexpr double kWidth = kTwoPi / Cell::kSectors;
+  constexpr double kSlack = 1e-9;
+  const double half = 0.5 * (arc.width + kWidth) + reach + kSlack;
+  if (half >= kPi) return ~std::uint32_t{0};
+  const double middle = arc.begin + 0.5 * arc.width;
+  const int first = static_cast<int>(std::ceil((middle - half) / kWidth - 0.5));
+  const int last = static_cast<int>(std::floor((middle + half) / kWidth - 0.5));
+  std::uint32_t mask = 0;
+  for (int s = first; s <= last; ++s) mask |= std::uint32_t{1} << (static_cast<unsigned>(s) % Cell::kSectors);
+  return mask;
+}
+
+struct Reach {
+  std::uint32_t sharp = 0;   // Sectors from which the beam reaches an entry,
+  std::uint32_t coarse = 0;  // and from which it does where headings are on a coarse grid.
+};
+
+Reach reach_of(const Reflector& r, const Candidate& c, const Corners& box, const SightLimits& limits) noexcept {
+  const Arc arc = directions(r, c, box);
+  if (r.kind == ReflectorKind::all_reflective) {
+    const std::uint32_t sectors = sectors_near(arc, limits.all_reflective_cut_off_rad);
+    return {sectors, sectors};
+  }
+  const double rough = r.kind == ReflectorKind::wall && may_be_rough(c, limits) ? limits.rough_cut_off_rad : 0.0;
+  return {sectors_near(arc, std::max(limits.sharp_cut_off_rad, rough)), sectors_near(arc, std::max(limits.cut_off_rad, rough))};
+}
+
+void fill_sectors(const RoomScene& room, const std::vector<Candidate>& seen, const Corners& box, const SightLimits& limits, Cell& cell) {
+  std::array<Reach, Cell::kMaxEntries> reaches;
+  for (std::size_t i = 0; i < seen.size(); ++i) reaches[i] = reach_of(room.reflectors[seen[i].reflector], seen[i], box, limits);
   std::uint16_t used = 0;
-  for (int s = 0; s < Cell::kSectors; ++s) {
-    cell.sector_begin[static_cast<std::size_t>(s)] = used;
-    const double middle = (s + 0.5) * kWidth;
+  for (std::size_t s = 0; s < Cell::kSectors; ++s) {
+    cell.sector_begin[s] = used;
     for (std::size_t i = 0; i < seen.size() && used < Cell::kMaxItems; ++i) {
-      const double reach = 0.5 * arcs[i].width + 0.5 * kWidth + cut_off[i] + 1e-9;
-      const double off = std::abs(wrap_angle(arcs[i].begin + 0.5 * arcs[i].width - middle));
-      if (off <= reach) cell.items[used++] = static_cast<std::uint8_t>(i);
+      if ((reaches[i].coarse >> s & 1U) == 0) continue;
+      const bool sharp = (reaches[i].sharp >> s & 1U) != 0;
+      cell.items[used++] = static_cast<std::uint8_t>(i | (sharp ? 0U : Cell::kCoarseOnly));
     }
   }
   cell.sector_begin[Cell::kSectors] = used;

@@ -14,12 +14,14 @@ struct Cell {
   static constexpr int kMaxEntries = 96;
   static constexpr int kMaxItems = 640;
   static constexpr int kMaxOccluders = 384;
+  static constexpr std::uint8_t kCoarseOnly = 0x80;       ///< Marks an item that only a coarse beam reaches from this sector.
 
   struct Entry {
     std::uint16_t reflector = 0;        ///< Index into RoomScene::reflectors.
     std::uint16_t occluder_begin = 0;   ///< Into `occluders`: what might stand in between, from somewhere in the cell.
     std::uint16_t occluder_count = 0;   ///< 0 when nothing can.
   };
+  static_assert(kMaxEntries <= kCoarseOnly);
 
   std::int64_t id = -1;                 ///< Which cell of the building this is.
   bool recently_used = false;
@@ -27,7 +29,7 @@ struct Cell {
   std::uint16_t entry_count = 0;
   std::array<std::uint16_t, kSectors + 1> sector_begin{};
   std::array<Entry, kMaxEntries> entries;
-  std::array<std::uint8_t, kMaxItems> items;              ///< Entries by sector.
+  std::array<std::uint8_t, kMaxItems> items;              ///< Entries by sector; kCoarseOnly may be added.
   std::array<std::uint16_t, kMaxOccluders> occluders;     ///< Indices into RoomScene::occluders.
 };
 
@@ -36,7 +38,9 @@ struct SightLimits {
   double max_range = 0.0;               ///< From the transducer's face, metres.
   double max_edge_range = 0.0;          ///< Beyond it no edge answers.
   double max_mirrored_range = 0.0;      ///< Beyond it nothing is heard by way of a wall.
-  double cut_off_rad = 0.0;             ///< Nothing answers that far off the beam's axis ...
+  double all_reflective_cut_off_rad = 0.0;   ///< All-reflective elements answer within the beam itself, others ...
+  double sharp_cut_off_rad = 0.0;       ///< up to this angle off its axis, ...
+  double cut_off_rad = 0.0;             ///< up to this one where headings are on a coarse grid ...
   double rough_range = 0.0;             ///< ... but walls nearer than this, which may be rough:
   double rough_cut_off_rad = 0.0;       ///< they are silent beyond this angle.
 };

@@ -153,6 +153,7 @@ void place_grid(RoomScene& scene, double cell_size, std::uint32_t& next_cell) {
   const Vec2 size = scene.high - scene.low + Vec2{2 * kMargin, 2 * kMargin};
   scene.cell_size = std::max(cell_size, std::sqrt(size.x * size.y / kMaxCellsPerRoom));
   scene.cell_size = std::max(scene.cell_size, std::max(size.x, size.y) / 4096.0);
+  scene.cells_per_metre = 1.0 / scene.cell_size;
   scene.columns = std::max(1, static_cast<int>(std::ceil(size.x / scene.cell_size)));
   scene.rows = std::max(1, static_cast<int>(std::ceil(size.y / scene.cell_size)));
   scene.grid_origin = scene.low - Vec2{kMargin, kMargin};

@@ -47,6 +47,7 @@ struct RoomScene {
   int columns = 0;
   int rows = 0;
   double cell_size = 0.0;
+  double cells_per_metre = 0.0;
   Vec2 grid_origin{};
 };
 

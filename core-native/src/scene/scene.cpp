@@ -1,7 +1,6 @@
 #include "scene/scene.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace echoway::scene {
 namespace {
@@ -37,26 +36,15 @@ Cell& Scene::claim_slot() noexcept {
   }
 }
 
-const Cell& Scene::cell_at(RoomIndex room_index, Vec2 p) noexcept {
-  const RoomScene& room = rooms_[static_cast<std::size_t>(room_index)];
-  const Vec2 local = p - room.grid_origin;
-  const double size = room.cell_size;
-  const int column = static_cast<int>(std::clamp(local.x / size, 0.0, room.columns - 0.5));
-  const int row = static_cast<int>(std::clamp(local.y / size, 0.0, room.rows - 0.5));
+Cell& Scene::compile(const RoomScene& room, int column, int row) noexcept {
   const std::size_t id = room.first_cell + static_cast<std::size_t>(row) * static_cast<std::size_t>(room.columns) +
                          static_cast<std::size_t>(column);
-  const std::int32_t slot = slot_of_cell_[id];
-  if (slot >= 0) {
-    Cell& cell = slots_[static_cast<std::size_t>(slot)];
-    cell.recently_used = true;
-    return cell;
-  }
   Cell& cell = claim_slot();
+  const double size = room.cell_size;
   const Vec2 low = room.grid_origin + Vec2{column * size, row * size};
   compile_cell(room, low, low + Vec2{size, size}, limits_, scratch_, cell);
   ++cells_compiled_;
   cell.id = static_cast<std::int64_t>(id);
-  cell.recently_used = true;
   slot_of_cell_[id] = static_cast<std::int32_t>(&cell - slots_.data());
   return cell;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -21,7 +22,17 @@ class Scene {
   [[nodiscard]] const SightLimits& limits() const noexcept { return limits_; }
 
   /// The cell of `room` in which `p` lies (or the nearest one). The reference holds until the next call.
-  [[nodiscard]] const Cell& cell_at(RoomIndex room, Vec2 p) noexcept;
+  [[nodiscard]] const Cell& cell_at(RoomIndex room, Vec2 p) noexcept {
+    const RoomScene& r = rooms_[static_cast<std::size_t>(room)];
+    const Vec2 local = r.cells_per_metre * (p - r.grid_origin);
+    const int column = static_cast<int>(std::clamp(local.x, 0.0, r.columns - 0.5));
+    const int row = static_cast<int>(std::clamp(local.y, 0.0, r.rows - 0.5));
+    const std::int32_t slot = slot_of_cell_[r.first_cell + static_cast<std::size_t>(row) * static_cast<std::size_t>(r.columns) +
+                                            static_cast<std::size_t>(column)];
+    Cell& cell = slot >= 0 ? slots_[static_cast<std::size_t>(slot)] : compile(r, column, row);
+    cell.recently_used = true;
+    return cell;
+  }
 
   /// Cells filled so far, those filled again included.
   [[nodiscard]] std::size_t cells_compiled() const noexcept { return cells_compiled_; }
@@ -30,6 +41,7 @@ class Scene {
   [[nodiscard]] std::size_t memory() const noexcept;
 
  private:
+  [[nodiscard]] Cell& compile(const RoomScene& room, int column, int row) noexcept;
   [[nodiscard]] Cell& claim_slot() noexcept;
 
   std::vector<RoomScene> rooms_;

@@ -28,6 +28,7 @@ RoomSavings count_room(scene::Scene& compiled, RoomIndex index) {
       out.plain_floor += cell.plain_floor;
       for (std::size_t s = 0; s < Cell::kSectors; ++s) {
         for (unsigned i = cell.sector_begin[s]; i < cell.sector_begin[s + 1]; ++i) {
+          if ((cell.items[i] & Cell::kCoarseOnly) != 0) continue;
           const Cell::Entry& entry = cell.entries[cell.items[i]];
           const ReflectorKind kind = room.reflectors[entry.reflector].kind;
           out.considered += 1.0 / Cell::kSectors;

@@ -11,6 +11,7 @@ namespace {
 double logistic(double x) noexcept { return 1.0 / (1.0 + fast_exp(-x)); }
 
 constexpr double kLogisticTail = 4.5;       // Widths beyond which the beam's edge is taken as over (1.1 %).
+constexpr double kRounding = 1e-12;         // Far more than sines of the same angle may differ by, however computed.
 constexpr double kLeastEdgeChance = 0.01;   // An edge that answers less often than this never wins.
 
 }  // namespace
@@ -37,6 +38,12 @@ EchoModel::EchoModel(const BeltConfig& belt, const EchoModelParameters& p) {
     fine_beam_[i] = fine < -kLogisticTail ? 0.0 : logistic(fine);
     coarse_beam_[i] = logistic((half - angle) / coarse_width);
   }
+  std::size_t silent = kBeamEntries - 1;
+  while (silent > 0 && fine_beam_[silent - 1] == 0.0) --silent;
+  const double beyond = std::sin(cut_off) * (1.0 + kRounding);
+  const double beyond_fine = static_cast<double>(silent) / beam_scale_ * (1.0 + kRounding);
+  outside_coarse_beam2_ = beyond * beyond;
+  outside_fine_beam2_ = beyond_fine * beyond_fine;
 
   const double span = std::max(0.1, belt.max_range_m - belt.min_range_m);
   ghost_density_ = p.ghost / span;
@@ -63,6 +70,8 @@ EchoModel::EchoModel(const BeltConfig& belt, const EchoModelParameters& p) {
   limits_.max_range = belt.max_range_m + 0.3;
   limits_.max_mirrored_range = limits_.max_range;
   limits_.max_edge_range += 0.02;
+  limits_.all_reflective_cut_off_rad = half;
+  limits_.sharp_cut_off_rad = std::asin(std::min(1.0, beyond_fine));
   limits_.cut_off_rad = cut_off;
   rough_ = p.rough;
   rough_range_ = p.rough_range_m;

@@ -60,6 +60,9 @@ class EchoModel {
     return table[i] + f * (table[i + 1] - table[i]);
   }
 
+  /// Squared sine of an angle at and beyond which beam() is 0, rounding included.
+  [[nodiscard]] double outside_beam2(bool coarse) const noexcept { return coarse ? outside_coarse_beam2_ : outside_fine_beam2_; }
+
   /// Factor for kind and distance.
   [[nodiscard]] double reach(scene::ReflectorKind kind, double distance) const noexcept {
     const auto& table = reach_[static_cast<std::size_t>(kind)];
@@ -108,6 +111,8 @@ class EchoModel {
   std::array<std::array<double, kReachEntries>, scene::kReflectorKinds> reach_{};
   std::array<double, kReachEntries> unexplained_{};
   double beam_scale_ = 0.0;
+  double outside_fine_beam2_ = 1.0;
+  double outside_coarse_beam2_ = 1.0;
   double ghost_density_ = 0.0;
   double quiet_ = 1.0;
   double deaf_ = 0.0;

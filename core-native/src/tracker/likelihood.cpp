@@ -100,8 +100,8 @@ Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene:
     const ExpectedEcho& e = expected.echo[static_cast<std::size_t>(j)];
     const double innovation = shot.range - e.range * (1.0 + p.log_scale);
     const double noise = model.variance(e.range) + e.extra_variance;
-    const Direction direction = times(p.cov, e.gradient, e.range);
-    const double own = direction.x * e.gradient.x + direction.y * e.gradient.y + direction.k * e.range;
+    const Direction direction = times(p.cov, e.gradient(), e.range);
+    const double own = direction.x * e.gradient_x + direction.y * e.gradient_y + direction.k * e.range;
     const double variance = noise + std::max(own, 0.0);
     const double normalized = innovation * innovation / variance;
     if (normalized < kGate2) {

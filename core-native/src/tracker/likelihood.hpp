@@ -35,17 +35,20 @@ inline constexpr double kLeastDensity = 1e-12;  ///< A density never falls below
 
 /// An echo that the map lets a particle expect.
 struct ExpectedEcho {
-  double range = 0.0;       ///< True distance from the transducer's face.
-  double chance = 0.0;      ///< That it answers when nothing nearer does.
-  double extra_variance = 0.0;
-  Vec2 gradient{};          ///< Of `range` over position.
+  double range;             ///< True distance from the transducer's face.
+  double chance;            ///< That it answers when nothing nearer does.
+  double extra_variance;
+  double gradient_x;        ///< Of `range` over position.
+  double gradient_y;
+
+  [[nodiscard]] Vec2 gradient() const noexcept { return {gradient_x, gradient_y}; }
 };
 
 /// Expected echoes, nearest first.
 struct ExpectedEchoes {
   static constexpr int kMax = 8;
   int count = 0;
-  std::array<ExpectedEcho, kMax> echo;
+  std::array<ExpectedEcho, kMax> echo;   ///< The first `count`. The rest is not even zeroed: thousands are made a firing.
 };
 
 [[nodiscard]] ExpectedEchoes expect(const Particle& particle, const Shot& shot, const EchoModel& model,

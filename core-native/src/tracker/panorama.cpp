@@ -41,10 +41,10 @@ double density_of(const Panorama::Sight& sight, bool echo, double range, const O
   double survival = 1.0, survival_at_range = 1.0, explained = 0.0;
   for (int j = 0; j < sight.echoes.count; ++j) {
     const ExpectedEcho& e = sight.echoes.echo[static_cast<std::size_t>(j)];
-    const double expected = e.range + dot(e.gradient, offset.moved);
+    const double expected = e.range + dot(e.gradient(), offset.moved);
     const double innovation = range - expected * (1.0 + offset.log_scale);
-    const double along = dot(e.gradient, offset.per_speed);
-    const double variance = model.variance(e.range) + e.extra_variance + offset.variance * squared_norm(e.gradient) +
+    const double along = dot(e.gradient(), offset.per_speed);
+    const double variance = model.variance(e.range) + e.extra_variance + offset.variance * squared_norm(e.gradient()) +
                             offset.speed_variance * along * along + offset.log_scale_variance * e.range * e.range;
     const double innovation2 = innovation * innovation;
     if (innovation2 < kGate2 * variance) {

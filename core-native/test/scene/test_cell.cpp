@@ -69,6 +69,7 @@ TEST(Cell, LeavingOutWhatAPlaceCannotHearChangesNoEcho) {
     p.facing = {facing.cos, facing.sin};
     tracker::Shot shot;
     shot.radius = belt.radius_m;
+    shot.coarse = i % 3 == 0;
     const ExpectedEchoes some = tracker::expect(p, shot, model, compiled);
     const ExpectedEchoes all = expect_from_all(whole[static_cast<std::size_t>(p.room)], room, p, shot, model);
     ASSERT_EQ(some.count, all.count) << "room " << p.room << " at " << p.position.x << ", " << p.position.y << " heading " << p.heading;
