@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "scene/room_scene.hpp"
+#include "scene/candidate.hpp"
 
 namespace echoway::scene {
 
@@ -31,25 +31,6 @@ struct Cell {
   std::array<Entry, kMaxEntries> entries;
   std::array<std::uint8_t, kMaxItems> items;              ///< Entries by sector; kCoarseOnly may be added.
   std::array<std::uint16_t, kMaxOccluders> occluders;     ///< Indices into RoomScene::occluders.
-};
-
-/// How far sensors see, for leaving out what cannot answer.
-struct SightLimits {
-  double max_range = 0.0;               ///< From the transducer's face, metres.
-  double max_edge_range = 0.0;          ///< Beyond it no edge answers.
-  double max_mirrored_range = 0.0;      ///< Beyond it nothing is heard by way of a wall.
-  double all_reflective_cut_off_rad = 0.0;   ///< All-reflective elements answer within the beam itself, others ...
-  double sharp_cut_off_rad = 0.0;       ///< up to this angle off its axis, ...
-  double cut_off_rad = 0.0;             ///< up to this one where headings are on a coarse grid ...
-  double rough_range = 0.0;             ///< ... but walls nearer than this, which may be rough:
-  double rough_cut_off_rad = 0.0;       ///< they are silent beyond this angle.
-};
-
-/// A reflector, and the stretch of it from which an echo can come back into a cell.
-struct Candidate {
-  std::uint16_t reflector = 0;
-  double nearest = 0.0;                 ///< Lower bound of its distance from the cell.
-  Segment feet{};                       ///< Of a mirrored corner: where the wall may be met.
 };
 
 /// Working memory of compile_cell(), reserved once so that filling a cell allocates nothing.

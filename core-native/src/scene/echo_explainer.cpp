@@ -80,7 +80,7 @@ Turn from_mirrored(const RoomScene& room, const Reflector& r, const Ray& ray) no
   if (!turn.present || !(before * behind < 0.0)) return {};
   turn.via = ray.eye + before / (before - behind) * (r.a - ray.eye);
   const double t = wall.along(turn.via);
-  turn.at = r.real;
+  turn.at = r.b;
   turn.present = t > 0.0 && t < wall.length;
   return turn;
 }
@@ -145,8 +145,11 @@ struct EchoExplainer::Impl {
   std::vector<RoomScene> rooms;
 };
 
-EchoExplainer::EchoExplainer(const Building& building, const BeltConfig& belt)
-    : impl_(std::make_unique<Impl>(Impl{belt, scene::compile_rooms(building, belt.max_range_m, kCellSize)})) {}
+EchoExplainer::EchoExplainer(const Building& building, const BeltConfig& belt) : impl_(std::make_unique<Impl>(Impl{belt, {}})) {
+  const scene::RoomCompiler compiler(building, belt.max_range_m, kCellSize);
+  impl_->rooms.reserve(compiler.rooms());
+  for (std::size_t i = 0; i < compiler.rooms(); ++i) impl_->rooms.push_back(compiler.compile(static_cast<RoomIndex>(i)));
+}
 EchoExplainer::~EchoExplainer() = default;
 
 ExplainedEcho EchoExplainer::explain(const Firing& firing, const Estimate& estimate) const noexcept {

@@ -2,14 +2,15 @@
 
 namespace echoway::scene {
 
-Reflector make_segment_reflector(ReflectorKind kind, const Segment& s, double normal_side) noexcept {
+Reflector make_segment_reflector(ReflectorKind kind, const Segment& s, bool seen_from_left) noexcept {
   Reflector r;
   r.kind = kind;
   r.a = s.a;
   r.b = s.b;
   r.length = s.length();
-  r.tangent = (1.0 / r.length) * s.direction();
-  r.normal = normal_side * perpendicular(r.tangent);
+  r.seen_from_left = seen_from_left;
+  const Vec2 left = perpendicular((1.0 / r.length) * s.direction());
+  r.normal = seen_from_left ? left : -left;
   r.offset = -dot(r.normal, s.a);
   return r;
 }
@@ -26,7 +27,6 @@ Reflector transformed(const Reflector& r, Vec2 rotation, Vec2 shift) noexcept {
   Reflector t = r;
   t.a = turn(r.a) + shift;
   t.b = turn(r.b) + shift;
-  t.tangent = turn(r.tangent);
   t.normal = turn(r.normal);
   t.offset = -dot(t.normal, t.a);
   t.own_index = -1;

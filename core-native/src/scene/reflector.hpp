@@ -20,14 +20,13 @@ inline constexpr std::size_t kReflectorKinds = 5;
 /// Something that can answer a firing, in the frame of the room from which it is seen.
 struct Reflector {
   ReflectorKind kind = ReflectorKind::wall;
-  bool two_sided = false;        ///< A screen: answers from both sides.
+  bool two_sided : 1 = false;    ///< A screen: answers from both sides.
+  bool seen_from_left : 1 = true;   ///< Its normal points to the left of a -> b, else to the right.
   std::int16_t opening = -1;     ///< Index of the room's opening through which it is seen; -1: the room's own.
   std::int16_t own_index = -1;   ///< Index among the room's occluders of the piece itself, which cannot hide itself.
   std::int16_t mirror = -1;      ///< Of a mirrored corner: index among the room's reflectors of the wall that mirrors it.
-  Vec2 real{};                   ///< Of a mirrored corner: the corner itself.
-  Vec2 a{};                      ///< Ends; a == b for corners and edges.
-  Vec2 b{};
-  Vec2 tangent{};                ///< Unit, from a to b. Zero for points.
+  Vec2 a{};                      ///< Ends; a == b for corners and edges. Of a mirrored corner its image
+  Vec2 b{};                      ///< and the corner itself.
   Vec2 normal{};                 ///< Unit, towards the side from which it is seen. Zero for points.
   double offset = 0.0;           ///< normal . p + offset: distance of p from the line, positive on the visible side.
   double length = 0.0;
@@ -36,12 +35,13 @@ struct Reflector {
     return kind != ReflectorKind::wall && kind != ReflectorKind::all_reflective;
   }
   [[nodiscard]] double signed_distance(Vec2 p) const noexcept { return dot(normal, p) + offset; }
-  [[nodiscard]] double along(Vec2 p) const noexcept { return dot(tangent, p - a); }
+  /// Unit, from a to b. Zero for points.
+  [[nodiscard]] Vec2 tangent() const noexcept { return seen_from_left ? Vec2{normal.y, -normal.x} : Vec2{-normal.y, normal.x}; }
+  [[nodiscard]] double along(Vec2 p) const noexcept { return dot(tangent(), p - a); }
 };
 
-/// A wall or all-reflective element from `s`; `normal_side` is +1 when it is seen from the left of a -> b, -1 from the
-/// right. REQUIRES: s has a length.
-[[nodiscard]] Reflector make_segment_reflector(ReflectorKind kind, const Segment& s, double normal_side) noexcept;
+/// A wall or all-reflective element from `s`, seen from the left of a -> b or from the right. REQUIRES: s has a length.
+[[nodiscard]] Reflector make_segment_reflector(ReflectorKind kind, const Segment& s, bool seen_from_left) noexcept;
 [[nodiscard]] Reflector make_point_reflector(ReflectorKind kind, Vec2 at) noexcept;
 
 /// `r` as seen from another frame, into which a rotation by (cos, sin) and then a shift takes it.

@@ -110,7 +110,7 @@ void add_wall(RoomScene& scene, const Segment& piece) {
   const Vec2 left = (kSideProbe / length) * perpendicular(piece.direction());
   const bool left_inside = scene.floor.contains(middle + left);
   const bool right_inside = scene.floor.contains(middle - left);
-  Reflector r = make_segment_reflector(ReflectorKind::wall, piece, right_inside && !left_inside ? -1.0 : 1.0);
+  Reflector r = make_segment_reflector(ReflectorKind::wall, piece, left_inside || !right_inside);
   r.two_sided = left_inside == right_inside;
   r.own_index = own;
   scene.reflectors.push_back(r);
@@ -122,7 +122,7 @@ void compile_own(const Room& room, RoomScene& scene) {
   for (const Segment& p : pieces) add_wall(scene, p);
   for (const Segment& s : room.reflectors) {
     if (!(s.length() > kShortestPiece)) continue;
-    Reflector r = make_segment_reflector(ReflectorKind::all_reflective, s, 1.0);
+    Reflector r = make_segment_reflector(ReflectorKind::all_reflective, s, true);
     r.two_sided = true;
     r.own_index = static_cast<std::int16_t>(scene.occluders.size());
     scene.occluders.push_back(s);
@@ -139,7 +139,8 @@ void compile_own(const Room& room, RoomScene& scene) {
     }
   }
   for (Vec2 e : edges) scene.reflectors.push_back(make_point_reflector(ReflectorKind::edge, e));
-  scene.own_reflectors = scene.reflectors.size();
+  scene.own_reflectors = static_cast<std::uint32_t>(scene.reflectors.size());
+  scene.own_occluders = static_cast<std::uint32_t>(scene.occluders.size());
 }
 
 void place_grid(RoomScene& scene, double cell_size, std::uint32_t& next_cell) {
@@ -231,7 +232,7 @@ void add_mirrored_corners(RoomScene& scene, double max_range) {
       if (!(std::abs(before) > kShortestMirror) || (before < 0.0 && !wall.two_sided)) continue;
       Reflector image = make_point_reflector(ReflectorKind::mirrored_corner, corner - 2.0 * before * wall.normal);
       if (distance(Segment{wall.a, wall.b}, image.a) > max_range) continue;
-      image.real = corner;
+      image.b = corner;
       image.mirror = static_cast<std::int16_t>(w);
       image.own_index = wall.own_index;
       scene.reflectors.push_back(image);
@@ -240,47 +241,41 @@ void add_mirrored_corners(RoomScene& scene, double max_range) {
   }
 }
 
-// What grew by doubling holds up to as much again for nothing, in each of a thousand rooms.
-void give_back_spare(RoomScene& scene) {
-  scene.reflectors.shrink_to_fit();
-  scene.occluders.shrink_to_fit();
-}
-
 }  // namespace
 
-std::vector<RoomScene> compile_rooms(const Building& building, double max_range, double cell_size) {
-  std::vector<RoomScene> own(building.rooms.size());
+RoomCompiler::RoomCompiler(const Building& building, double max_range, double cell_size)
+    : own_(building.rooms.size()), max_range_(max_range) {
   for (const Door& d : building.doors) {
-    own[d.room_a].openings.push_back(make_opening(building, d.room_a, d.at_a, d.room_b, d.at_b, d.width));
-    own[d.room_b].openings.push_back(make_opening(building, d.room_b, d.at_b, d.room_a, d.at_a, d.width));
+    own_[static_cast<std::size_t>(d.room_a)].openings.push_back(make_opening(building, d.room_a, d.at_a, d.room_b, d.at_b, d.width));
+    own_[static_cast<std::size_t>(d.room_b)].openings.push_back(make_opening(building, d.room_b, d.at_b, d.room_a, d.at_a, d.width));
   }
   std::uint32_t next_cell = 0;
-  for (std::size_t i = 0; i < own.size(); ++i) {
+  for (std::size_t i = 0; i < own_.size(); ++i) {
     const Room& room = building.rooms[i];
-    for (Opening& o : own[i].openings) o.tangent = wall_direction_at(room, o.centre);
-    own[i].floor = make_floor(room);
-    compile_own(room, own[i]);
-    place_grid(own[i], cell_size, next_cell);
+    for (Opening& o : own_[i].openings) o.tangent = wall_direction_at(room, o.centre);
+    own_[i].floor = make_floor(room);
+    compile_own(room, own_[i]);
+    place_grid(own_[i], cell_size, next_cell);
   }
-  std::vector<RoomScene> scenes = own;
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    add_mirrored_corners(scenes[i], max_range);
-    for (std::size_t d = 0; d < own[i].openings.size(); ++d) {
-      const Opening& door = own[i].openings[d];
-      const Frame frame = inverse(door);
-      const RoomScene& beyond = own[door.to];
-      add_seen(scenes[i], beyond, frame, static_cast<std::int16_t>(d), door.span(), nullptr, max_range);
-      for (const Opening& next : beyond.openings) {
-        if (next.to == static_cast<RoomIndex>(i)) continue;
-        const Segment second{frame.apply(next.span().a), frame.apply(next.span().b)};
-        if (in_line(door, second) || distance(second, door.centre) > max_range) continue;
-        add_seen(scenes[i], own[next.to], compose(frame, inverse(next)), static_cast<std::int16_t>(d), door.span(),
-                 &second, max_range);
-      }
+}
+
+RoomScene RoomCompiler::compile(RoomIndex room) const {
+  RoomScene scene = own_[static_cast<std::size_t>(room)];
+  add_mirrored_corners(scene, max_range_);
+  for (std::size_t d = 0; d < scene.openings.size(); ++d) {
+    const Opening& door = scene.openings[d];
+    const Frame frame = inverse(door);
+    const RoomScene& beyond = own_[static_cast<std::size_t>(door.to)];
+    add_seen(scene, beyond, frame, static_cast<std::int16_t>(d), door.span(), nullptr, max_range_);
+    for (const Opening& next : beyond.openings) {
+      if (next.to == room) continue;
+      const Segment second{frame.apply(next.span().a), frame.apply(next.span().b)};
+      if (in_line(door, second) || distance(second, door.centre) > max_range_) continue;
+      add_seen(scene, own_[static_cast<std::size_t>(next.to)], compose(frame, inverse(next)), static_cast<std::int16_t>(d),
+               door.span(), &second, max_range_);
     }
-    give_back_spare(scenes[i]);
   }
-  return scenes;
+  return scene;
 }
 
 }  // namespace echoway::scene

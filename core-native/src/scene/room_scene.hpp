@@ -42,7 +42,8 @@ struct RoomScene {
   FloorLoops floor;
   Vec2 low{};                          ///< Bounding box of the floor.
   Vec2 high{};
-  std::size_t own_reflectors = 0;      ///< The first ones are the room's own; the others lie beyond doors.
+  std::uint32_t own_reflectors = 0;    ///< The first ones are the room's own; the others lie beyond doors.
+  std::uint32_t own_occluders = 0;     ///< The same of these.
   std::uint32_t first_cell = 0;        ///< Of the grid over the bounding box.
   int columns = 0;
   int rows = 0;
@@ -51,7 +52,18 @@ struct RoomScene {
   Vec2 grid_origin{};
 };
 
-/// Compiles every room of `building`. Sound is followed through at most two open doors and `max_range` metres.
-[[nodiscard]] std::vector<RoomScene> compile_rooms(const Building& building, double max_range, double cell_size);
+/// Compiles the rooms of a building one by one, so that no more than one of them is held whole. Sound is followed through at
+/// most two open doors and `max_range` metres.
+class RoomCompiler {
+ public:
+  RoomCompiler(const Building& building, double max_range, double cell_size);
+
+  [[nodiscard]] std::size_t rooms() const noexcept { return own_.size(); }
+  [[nodiscard]] RoomScene compile(RoomIndex room) const;
+
+ private:
+  std::vector<RoomScene> own_;   ///< Without what lies beyond their doors.
+  double max_range_;
+};
 
 }  // namespace echoway::scene

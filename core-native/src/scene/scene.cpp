@@ -1,14 +1,30 @@
 #include "scene/scene.hpp"
 
 #include <algorithm>
+#include <limits>
+
+#include "scene/audible.hpp"
 
 namespace echoway::scene {
 namespace {
+
 constexpr std::size_t kMaxSlots = 2400;   // Five megabytes.
+static_assert(kMaxSlots <= std::numeric_limits<std::int16_t>::max());
+
+std::vector<RoomScene> compile_audible(const Building& building, const SightLimits& limits) {
+  const RoomCompiler compiler(building, limits.max_range, kCellSize);
+  std::vector<RoomScene> rooms;
+  rooms.reserve(compiler.rooms());
+  for (std::size_t i = 0; i < compiler.rooms(); ++i) {
+    rooms.push_back(compiler.compile(static_cast<RoomIndex>(i)));
+    leave_out_inaudible(rooms.back(), limits);
+  }
+  return rooms;
 }
 
-Scene::Scene(const Building& building, const SightLimits& limits, double cell_size)
-    : rooms_(compile_rooms(building, limits.max_range, cell_size)), limits_(limits) {
+}  // namespace
+
+Scene::Scene(const Building& building, const SightLimits& limits) : rooms_(compile_audible(building, limits)), limits_(limits) {
   std::size_t cells = 0;
   for (const RoomScene& r : rooms_) cells += static_cast<std::size_t>(r.columns) * static_cast<std::size_t>(r.rows);
   std::size_t reflectors = 0;
@@ -45,12 +61,12 @@ Cell& Scene::compile(const RoomScene& room, int column, int row) noexcept {
   compile_cell(room, low, low + Vec2{size, size}, limits_, scratch_, cell);
   ++cells_compiled_;
   cell.id = static_cast<std::int64_t>(id);
-  slot_of_cell_[id] = static_cast<std::int32_t>(&cell - slots_.data());
+  slot_of_cell_[id] = static_cast<std::int16_t>(&cell - slots_.data());
   return cell;
 }
 
 std::size_t Scene::memory() const noexcept {
-  std::size_t bytes = slot_of_cell_.capacity() * sizeof(std::int32_t) + slots_.capacity() * sizeof(Cell);
+  std::size_t bytes = slot_of_cell_.capacity() * sizeof(std::int16_t) + slots_.capacity() * sizeof(Cell);
   for (const RoomScene& r : rooms_) {
     bytes += sizeof(RoomScene) + r.reflectors.capacity() * sizeof(Reflector) + r.occluders.capacity() * sizeof(Segment) +
              r.openings.capacity() * sizeof(Opening) + r.floor.vertices.capacity() * sizeof(Vec2) +

@@ -10,12 +10,13 @@
 
 namespace echoway::scene {
 
+inline constexpr double kCellSize = 0.5;    ///< Metres; more in very large rooms.
+
 /// A building compiled for one belt. Cells are filled when first looked at and kept in a pool of fixed size, so that a
 /// large building loads at once, holds little, and the firing path allocates nothing.
 class Scene {
  public:
-  /// Cells are `cell_size` metres wide, more in very large rooms.
-  Scene(const Building& building, const SightLimits& limits, double cell_size = 0.5);
+  Scene(const Building& building, const SightLimits& limits);
 
   [[nodiscard]] const RoomScene& room(RoomIndex r) const noexcept { return rooms_[static_cast<std::size_t>(r)]; }
   [[nodiscard]] std::size_t room_count() const noexcept { return rooms_.size(); }
@@ -27,7 +28,7 @@ class Scene {
     const Vec2 local = r.cells_per_metre * (p - r.grid_origin);
     const int column = static_cast<int>(std::clamp(local.x, 0.0, r.columns - 0.5));
     const int row = static_cast<int>(std::clamp(local.y, 0.0, r.rows - 0.5));
-    const std::int32_t slot = slot_of_cell_[r.first_cell + static_cast<std::size_t>(row) * static_cast<std::size_t>(r.columns) +
+    const std::int16_t slot = slot_of_cell_[r.first_cell + static_cast<std::size_t>(row) * static_cast<std::size_t>(r.columns) +
                                             static_cast<std::size_t>(column)];
     Cell& cell = slot >= 0 ? slots_[static_cast<std::size_t>(slot)] : compile(r, column, row);
     cell.recently_used = true;
@@ -46,7 +47,7 @@ class Scene {
 
   std::vector<RoomScene> rooms_;
   SightLimits limits_;
-  std::vector<std::int32_t> slot_of_cell_;  ///< -1: not compiled.
+  std::vector<std::int16_t> slot_of_cell_;  ///< -1: not compiled.
   std::vector<Cell> slots_;
   CellScratch scratch_;
   std::size_t cells_compiled_ = 0;

@@ -12,12 +12,12 @@ namespace {
 using scene::Cell;
 using scene::ReflectorKind;
 
-RoomSavings count_room(scene::Scene& compiled, RoomIndex index) {
+RoomSavings count_room(scene::Scene& compiled, RoomIndex index, const scene::RoomScene& whole) {
   const scene::RoomScene& room = compiled.room(index);
   RoomSavings out;
   out.room = index;
-  out.reflectors = room.reflectors.size();
-  out.occluders = room.occluders.size();
+  out.reflectors = whole.reflectors.size();
+  out.occluders = whole.occluders.size();
   double cells = 0.0;
   for (int row = 0; row < room.rows; ++row) {
     for (int column = 0; column < room.columns; ++column) {
@@ -52,9 +52,11 @@ RoomSavings count_room(scene::Scene& compiled, RoomIndex index) {
 SceneReport report_scene(const Building& building, const BeltConfig& belt) {
   const tracker::EchoModel model(belt, {});
   scene::Scene compiled(building, model.sight_limits());
+  const scene::RoomCompiler compiler(building, model.sight_limits().max_range, scene::kCellSize);
   SceneReport report;
   for (std::size_t i = 0; i < building.rooms.size(); ++i) {
-    report.rooms.push_back(count_room(compiled, static_cast<RoomIndex>(i)));
+    const auto room = static_cast<RoomIndex>(i);
+    report.rooms.push_back(count_room(compiled, room, compiler.compile(room)));
     report.levels |= building.rooms[i].level != building.rooms[0].level;
   }
   report.bytes = compiled.memory();

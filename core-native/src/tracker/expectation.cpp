@@ -99,7 +99,7 @@ bool see_at_beam_edge(const Reflector& r, const View& view, Vec2 ray, bool found
   const Vec2 hit = view.eye + way * ray;
   const double t = r.along(hit);
   if (t < 0.0 || t > r.length) return found;
-  const double slope = way * std::abs(dot(r.tangent, ray)) / std::abs(approach) * kBeamEdgeSpread;
+  const double slope = way * std::abs(dot(r.tangent(), ray)) / std::abs(approach) * kBeamEdgeSpread;
   seen = sighting(way, view.model.reach(ReflectorKind::all_reflective, way), slope * slope, (1.0 / approach) * r.normal, hit);
   return true;
 }
@@ -171,7 +171,7 @@ bool comes_back(const RoomScene& room, const Cell& cell, const Cell::Entry& entr
   if (r.kind != ReflectorKind::mirrored_corner) return !hidden(room, cell, entry, eye, target, seen.echo.range);
   const double way = distance(target, eye);
   return !hidden(room, cell, entry, eye, target, way) &&
-         !hidden(room, cell, entry, scene::in_front_of(target, eye, way), r.real, seen.echo.range - way);
+         !hidden(room, cell, entry, scene::in_front_of(target, eye, way), r.b, seen.echo.range - way);
 }
 
 void insert_sorted(ExpectedEchoes& list, const ExpectedEcho& echo) noexcept {

@@ -54,8 +54,13 @@ TEST(Cell, LeavingOutWhatAPlaceCannotHearChangesNoEcho) {
   const BeltConfig belt;
   const tracker::EchoModel model(belt, {});
   scene::Scene compiled(building, model.sight_limits());
+  const scene::RoomCompiler compiler(building, model.sight_limits().max_range, scene::kCellSize);
+  std::vector<scene::RoomScene> whole_rooms;
   std::vector<scene::Cell> whole;
-  for (std::size_t r = 0; r < building.rooms.size(); ++r) whole.push_back(whole_room(compiled.room(static_cast<RoomIndex>(r))));
+  for (std::size_t r = 0; r < compiler.rooms(); ++r) {
+    whole_rooms.push_back(compiler.compile(static_cast<RoomIndex>(r)));
+    whole.push_back(whole_room(whole_rooms.back()));
+  }
   Random random(4);
   int compared = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -71,7 +76,8 @@ TEST(Cell, LeavingOutWhatAPlaceCannotHearChangesNoEcho) {
     shot.radius = belt.radius_m;
     shot.coarse = i % 3 == 0;
     const ExpectedEchoes some = tracker::expect(p, shot, model, compiled);
-    const ExpectedEchoes all = expect_from_all(whole[static_cast<std::size_t>(p.room)], room, p, shot, model);
+    const auto r = static_cast<std::size_t>(p.room);
+    const ExpectedEchoes all = expect_from_all(whole[r], whole_rooms[r], p, shot, model);
     ASSERT_EQ(some.count, all.count) << "room " << p.room << " at " << p.position.x << ", " << p.position.y << " heading " << p.heading;
     for (int k = 0; k < some.count; ++k) {
       const auto& a = some.echo[static_cast<std::size_t>(k)];
@@ -93,6 +99,19 @@ TEST(SceneReport, SaysWhatARoomDoesNotNeed) {
   for (const RoomSavings& r : report.rooms) {
     EXPECT_LT(r.considered, 0.5 * static_cast<double>(r.reflectors));
     EXPECT_LT(r.hidden_tests, r.considered * static_cast<double>(r.occluders));
+  }
+}
+
+TEST(Scene, LeavesOutBeyondDoorsWhatNobodyInARoomCouldHear) {
+  const Building grid = test::make_grid(5, 5);
+  const scene::SightLimits limits = tracker::EchoModel(BeltConfig{}, {}).sight_limits();
+  const scene::RoomCompiler whole(grid, limits.max_range, scene::kCellSize);
+  const scene::Scene compiled(grid, limits);
+  for (RoomIndex r = 0; r < 25; ++r) {
+    const scene::RoomScene all = whole.compile(r);
+    EXPECT_LT(compiled.room(r).reflectors.size(), 0.6 * static_cast<double>(all.reflectors.size()));
+    EXPECT_LT(compiled.room(r).occluders.size(), all.occluders.size());
+    EXPECT_EQ(compiled.room(r).own_reflectors, all.own_reflectors);
   }
 }
 

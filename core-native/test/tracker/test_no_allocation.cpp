@@ -1,21 +1,38 @@
-// Counts every allocation of the process while a locator works.
+// Counts every allocation of the process and what is held of them, while a locator is made and works.
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstddef>
 #include <cstdlib>
 #include <new>
 
 #include "echoway/sim/random_walk.hpp"
 #include "echoway/sim/simulate.hpp"
 #include "echoway/tracker/bayes_locator.hpp"
+#include "support/plans.hpp"
 #include "tracker/plans.hpp"
 
 namespace {
 std::atomic<long> allocations{0};
+std::atomic<long> bytes_held{0};
+
+// In front of every block stands its size: not every operator delete is told.
+constexpr std::size_t kHeader = alignof(std::max_align_t);
 
 void* count_and_try(std::size_t size) noexcept {
   allocations.fetch_add(1, std::memory_order_relaxed);
-  return std::malloc(size == 0 ? 1 : size);
+  void* block = std::malloc(size + kHeader);
+  if (block == nullptr) return nullptr;
+  bytes_held.fetch_add(static_cast<long>(size), std::memory_order_relaxed);
+  *static_cast<std::size_t*>(block) = size;
+  return static_cast<std::byte*>(block) + kHeader;
+}
+
+void count_and_free(void* p) noexcept {
+  if (p == nullptr) return;
+  void* block = static_cast<std::byte*>(p) - kHeader;
+  bytes_held.fetch_sub(static_cast<long>(*static_cast<std::size_t*>(block)), std::memory_order_relaxed);
+  std::free(block);
 }
 
 void* count_and_allocate(std::size_t size) {
@@ -29,10 +46,10 @@ void* operator new[](std::size_t size) { return count_and_allocate(size); }
 // The standard library's own asks the one above, a sanitizer's does not.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return count_and_try(size); }
 void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return count_and_try(size); }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete[](void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
+void operator delete(void* p) noexcept { count_and_free(p); }
+void operator delete[](void* p) noexcept { count_and_free(p); }
+void operator delete(void* p, std::size_t) noexcept { count_and_free(p); }
+void operator delete[](void* p, std::size_t) noexcept { count_and_free(p); }
 
 namespace echoway {
 namespace {
@@ -51,6 +68,17 @@ TEST(BayesLocator, AllocatesNothingWhileItSearchesAndTracks) {
     locator.on_firing(f);
   }
   EXPECT_EQ(allocations.load() - before, 0);
+}
+
+// Rooms with a door in every wall see most of each other.
+TEST(BayesLocator, HoldsLessThanTwentyMegabytesForAThousandRoomsWithADoorInEveryWall) {
+  Building grid = test::make_grid(25, 40);
+  for (Room& room : grid.rooms) room.corners = room.boundary.front();
+  const long before = bytes_held.load();
+  const BayesLocator locator(grid, {}, {});
+  const long held = bytes_held.load() - before;
+  EXPECT_GT(held, 1'000'000);
+  EXPECT_LT(held, 20'000'000);
 }
 
 }  // namespace
