@@ -1,6 +1,6 @@
 // The proof of guidance: blindfolded wearers walk through buildings by cues alone. One row a walk, as CSV.
 //   guidance_proof OUT.csv TRACES.csv WALKS SOURCE MAP...
-// WALKS: how many; or #N for walk N alone, with its diary on the standard output.
+// WALKS: how many; or A-B for walks A to B - 1; or #N for walk N alone, with its diary on the standard output.
 // SOURCE: noise (truth with 0.12 m and 4 degrees of drifting error), empty or furnished (the tracker on the simulated
 // world's echoes, told where the walk starts), search (the tracker told nothing, in a furnished world), cluttered (as
 // furnished, but things stand on the way as well), obstacles (the same with the noisy truth instead of the tracker). A MAP is a
@@ -12,7 +12,9 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
+#include <utility>
 
 #include "echoway/building/loader.hpp"
 #include "support/plans.hpp"
@@ -84,6 +86,20 @@ bool leads(const Cue& cue) {
   return steers(cue.kind) || (cue.tail.present && steers(cue.tail.kind));
 }
 
+/// The noisy truth, with a diary of what it told the guide.
+class NotedTruth : public test::NoisyTruth {
+ public:
+  using NoisyTruth::NoisyTruth;
+  void observe(double time_s, RoomIndex room, const Pose2& pose, double speed, Guide& guide) override {
+    NoisyTruth::observe(time_s, room, pose, speed, guide);
+    diary_.push_back({time_s, room, pose, estimate()});
+  }
+  [[nodiscard]] const std::vector<proof::TrackedPose::Entry>& diary() const noexcept { return diary_; }
+
+ private:
+  std::vector<proof::TrackedPose::Entry> diary_;
+};
+
 /// How many lines led the wearer while the tracker took them to be elsewhere: they may send anybody anywhere.
 int told_from_wrong_place(const Building& b, const proof::TrackedPose& tracked, const test::WalkOutcome& o) {
   constexpr double kElsewhere = 1.5;  // metres
@@ -102,7 +118,7 @@ int told_from_wrong_place(const Building& b, const proof::TrackedPose& tracked, 
 }
 
 /// Once a second and at each line: where the wearer was, where the tracker took them to be, and what they heard.
-void print_diary(const Building& b, const proof::TrackedPose& tracked, const test::WalkOutcome& o) {
+void print_diary(const Building& b, std::span<const proof::TrackedPose::Entry> diary, const test::WalkOutcome& o) {
   constexpr std::array<const char*, 3> kStates{"searching", "tracking", "lost"};
   const auto place = [&](RoomIndex room, const Pose2& pose) {
     std::printf("%-9s %6.2f %6.2f %5.0f", room == kNoRoom ? "-" : b.room(room).id.c_str(), pose.position.x, pose.position.y,
@@ -110,7 +126,7 @@ void print_diary(const Building& b, const proof::TrackedPose& tracked, const tes
   };
   std::size_t told = 0;
   double next = 0.0;
-  for (const proof::TrackedPose::Entry& e : tracked.diary()) {
+  for (const proof::TrackedPose::Entry& e : diary) {
     const bool speaks = told < o.cues.size() && o.cues[told].cue.time_s <= e.time_s;
     if (!speaks && e.time_s < next) continue;
     next = e.time_s + 1.0;
@@ -121,7 +137,12 @@ void print_diary(const Building& b, const proof::TrackedPose& tracked, const tes
     std::printf("  %4.2f m %3.0f %% %.2f m/s %-9s", e.estimate.sigma_m, 100.0 * e.estimate.room_probability,
                 e.estimate.speed_mps, kStates[static_cast<std::size_t>(e.estimate.state)]);
     for (; told < o.cues.size() && o.cues[told].cue.time_s <= e.time_s; ++told) {
-      std::printf("  %s%s", o.words[told].c_str(), o.cues[told].wrong ? " (AT A WALL)" : "");
+      std::printf("  %s", o.words[told].c_str());
+      const test::HeardCue& heard = o.cues[told];
+      if (!heard.wrong) continue;
+      std::printf(" (AT A WALL: done at ");
+      place(heard.acted_room, heard.acted);
+      std::printf(", %.0f from the chest, %.2f m)", to_degrees(heard.wanted), heard.reach);
     }
     std::printf("\n");
   }
@@ -141,9 +162,12 @@ void walk(const std::string& name, const Router& router, const std::string& sour
   std::optional<double> shortest;
   std::unique_ptr<test::PoseSource> poses;
   proof::TrackedPose* tracked = nullptr;
+  NotedTruth* truth = nullptr;
   int barred = -1;  // worlds in which furniture bars every way
   if (source == "noise") {
-    poses = std::make_unique<test::NoisyTruth>(0.12, degrees(4.0), seed);
+    auto noted = std::make_unique<NotedTruth>(0.12, degrees(4.0), seed);
+    truth = noted.get();
+    poses = std::move(noted);
   } else {
     Start known;
     if (source != "search") known = {start.room, start.at, heading};
@@ -176,18 +200,18 @@ void walk(const std::string& name, const Router& router, const std::string& sour
                static_cast<int>(std::count_if(o.cues.begin(), o.cues.end(), [](const test::HeardCue& c) { return leads(c.cue); })),
                std::max(barred, 0));
   std::fflush(out.rows);
-  if (out.diary && tracked != nullptr) {
+  if (out.diary) {
     std::printf("%s %s %llu: %s\n", name.c_str(), source.c_str(), static_cast<unsigned long long>(seed),
                 o.arrived ? "arrived" : "failed");
     for (const Waypoint& w : way->waypoints) {
       std::printf("way  %s %.2f %.2f\n", router.building().room(w.room).id.c_str(), w.at.x, w.at.y);
     }
     for (std::size_t r = 0; r < router.building().rooms.size(); ++r) {
-      for (const Segment& t : tracked->things(static_cast<RoomIndex>(r))) {
+      for (const Segment& t : poses->things(static_cast<RoomIndex>(r))) {
         std::printf("thing %s %.2f %.2f  %.2f %.2f\n", router.building().rooms[r].id.c_str(), t.a.x, t.a.y, t.b.x, t.b.y);
       }
     }
-    print_diary(router.building(), *tracked, o);
+    print_diary(router.building(), tracked != nullptr ? tracked->diary() : truth->diary(), o);
   }
   constexpr std::uint64_t kDrawn = 6;
   if (seed >= kDrawn) return;
@@ -222,6 +246,15 @@ void walk(const std::string& name, const Router& router, const std::string& sour
   }
 }
 
+/// The first walk and the one after the last.
+std::pair<int, int> walks_of(const std::string& which) {
+  const bool one = which.front() == '#';
+  const int number = std::atoi(which.c_str() + (one ? 1 : 0));
+  if (one) return {number, number + 1};
+  const std::size_t dash = which.find('-');
+  return dash == std::string::npos ? std::pair{0, number} : std::pair{number, std::atoi(which.c_str() + dash + 1)};
+}
+
 void draw_walls(const std::string& name, const Router& router, std::FILE* out) {
   for (std::size_t r = 0; r < router.building().rooms.size(); ++r) {
     const Room& room = router.building().rooms[r];
@@ -244,7 +277,7 @@ int main(int argc, char** argv) {
   if (out.rows == nullptr || out.traces == nullptr) return 1;
   const std::string which = argv[3];
   out.diary = which.front() == '#';
-  const int walks = std::atoi(which.c_str() + (out.diary ? 1 : 0)) + (out.diary ? 1 : 0);
+  const auto [first, last] = walks_of(which);
   const std::string source = argv[4];
   for (int i = 5; i < argc; ++i) {
     std::string name = argv[i];
@@ -256,7 +289,7 @@ int main(int argc, char** argv) {
     name = name.substr(name.find_last_of('/') + 1);
     const Router router(*building);
     draw_walls(name, router, out.traces);
-    for (int seed = out.diary ? walks - 1 : 0; seed < walks; ++seed) walk(name, router, source, static_cast<std::uint64_t>(seed), out);
+    for (int seed = first; seed < last; ++seed) walk(name, router, source, static_cast<std::uint64_t>(seed), out);
   }
   std::fclose(out.rows);
   std::fclose(out.traces);

@@ -108,7 +108,7 @@ void TrackedPose::fire(const sim::Moment& at, Guide& guide) {
   if (truth_ != nullptr) {
     guide.on_firing(firing);
     if (!moment.between.present) truth_->observe(moment.time_s, moment.room, moment.pose, moment.speed, guide);
-    diary_.push_back({moment.time_s, moment.room, moment.pose, {}});
+    diary_.push_back({moment.time_s, moment.room, moment.pose, truth_->estimate()});
     return;
   }
   if (!locator_.on_firing(firing)) return;

@@ -98,10 +98,21 @@ double spoken_seconds(const Cue& cue, const GuideConfig& config) noexcept {
   return config.line_overhead_s + words * config.seconds_per_word;
 }
 
+std::size_t Announcer::oldest_that_counts() const noexcept {
+  return std::max(waived_, said_count_ - std::min(said_count_, kMemory));
+}
+
+bool Announcer::is_way_asked() const noexcept { return again_ && instructed_ && steering_of(instruction_).present; }
+
+void Announcer::take_way_question() noexcept {
+  again_ = false;
+  waived_ = said_count_;
+}
+
 bool Announcer::repeats(const Cue& cue, double now) const noexcept {
-  const std::size_t kept = std::min(said_count_, kMemory);
-  for (std::size_t i = 0; i < kept; ++i) {
-    if (now - said_[i].time_s < config_->repeat_gap_s && same_words(said_[i], cue)) return true;
+  for (std::size_t n = oldest_that_counts(); n < said_count_; ++n) {
+    const Cue& said = said_[n % kMemory];
+    if (now - said.time_s < config_->repeat_gap_s && same_words(said, cue)) return true;
   }
   return false;
 }
@@ -109,10 +120,10 @@ bool Announcer::repeats(const Cue& cue, double now) const noexcept {
 bool Announcer::contradicts(const Cue& cue, double now) const noexcept {
   const Steering here = steering_of(cue);
   if (!here.present) return false;
-  const std::size_t kept = std::min(said_count_, kMemory);
-  for (std::size_t i = 0; i < kept; ++i) {
-    if (now - said_[i].time_s >= config_->contradiction_gap_s) continue;
-    const Steering before = steering_of(said_[i]);
+  for (std::size_t n = oldest_that_counts(); n < said_count_; ++n) {
+    const Cue& said = said_[n % kMemory];
+    if (now - said.time_s >= config_->contradiction_gap_s) continue;
+    const Steering before = steering_of(said);
     if (!before.present) continue;
     if (side_of(here) * side_of(before) < 0) return true;
     const bool around = here.kind == CueKind::turn && sector_of(here.direction) == Sector::behind;

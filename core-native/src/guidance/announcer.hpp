@@ -33,6 +33,10 @@ class Announcer {
     return instructed_;
   }
   void answer(double now);
+  /// Whether they want to hear again which way to go: that is told anew, from where they are by now.
+  [[nodiscard]] bool is_way_asked() const noexcept;
+  /// It is being told, or cannot be: the same words may be said again.
+  void take_way_question() noexcept;
   /// The last instruction has been carried out: saying it again would mislead.
   void forget_instruction() noexcept { instructed_ = false; }
   /// The place is known again: what a lost wearer was asked to do is no longer wanted. "Arrived" stays true.
@@ -49,6 +53,7 @@ class Announcer {
   static constexpr std::size_t kQueue = 32;
   static constexpr std::size_t kMemory = 32;
 
+  [[nodiscard]] std::size_t oldest_that_counts() const noexcept;
   [[nodiscard]] bool repeats(const Cue& cue, double now) const noexcept;
   [[nodiscard]] bool contradicts(const Cue& cue, double now) const noexcept;
 
@@ -61,6 +66,7 @@ class Announcer {
   bool instructed_ = false;
   std::optional<Cue> arrival_;      ///< The instruction before the search that began last, when it was "arrived".
   bool again_ = false;
+  std::size_t waived_ = 0;          ///< What was said before this many lines may be said again.
   std::array<Cue, kQueue> queue_{};
   std::size_t head_ = 0;
   std::size_t size_ = 0;

@@ -5,6 +5,16 @@
 #include <utility>
 
 namespace echoway::guidance {
+namespace {
+
+constexpr double kFastest = 2.0;  // m/s that anybody walks by cues
+
+bool walks(const Estimate& e) {
+  constexpr double kWalking = 0.25;  // m/s
+  return e.speed_mps > kWalking;
+}
+
+}  // namespace
 
 Follower::Follower(const Router& router, const GuideConfig& config)
     : router_(&router),
@@ -40,7 +50,7 @@ void Follower::start_over() {
 }
 
 void Follower::forget_told() {
-  next_look_ = -1e300;
+  next_look_ = feels_until_ = -1e300;
   aim_.forget();
   steering_.forget();
   arrival_.forget();
@@ -55,18 +65,30 @@ bool Follower::find_way(const Estimate& e) {
 }
 
 View Follower::look(const Estimate& e, bool vague) {
-  constexpr double kWalking = 0.25;  // below this the wearer stands, m/s
   View view;
   view.estimate = &e;
   view.now = e.time_s;
   view.vague = vague;
-  view.speed = std::isfinite(e.speed_mps) ? std::clamp(e.speed_mps, 0.0, 2.0) : 0.0;
-  view.walking = view.speed > kWalking;
+  view.speed = std::isfinite(e.speed_mps) ? std::clamp(e.speed_mps, 0.0, kFastest) : 0.0;
+  view.walking = walks(e);
   if (!view.walking) view.speed = 0.0;
+  if (view.walking) last_pace_ = view.speed;
+  view.pace = view.walking || view.now >= feels_until_ ? view.speed : last_pace_;
   view.remaining = walked_length(way_.route());
   view.turn = next_manoeuvre(way_.line(), config_->ahead_rad, config_->fuse_m);
   aim_.take(view);
   return view;
+}
+
+void Follower::note_feeling(const Cue& obstacle, const Estimate& e) noexcept {
+  constexpr double kFeels = 4.5;  // s after the line and the reaction to it
+  if (!was_walking_) return;
+  feels_until_ = e.time_s + spoken_seconds(obstacle, *config_) + reaction_.seconds() + kFeels;
+}
+
+void Follower::tell_again() noexcept {
+  steering_.tell_again();
+  next_look_ = -1e300;
 }
 
 void Follower::note_standing(View& view) noexcept {
@@ -105,8 +127,9 @@ bool Follower::lingers(const View& view) {
   return false;
 }
 
-void Follower::update(const Estimate& e, bool vague, bool turning, Announcer& voice) {
-  reaction_.watch(e);
+void Follower::update(const Estimate& newest, bool vague, bool turning, Announcer& voice) {
+  reaction_.watch(newest);
+  const Estimate e = standing_.settle(newest, walks(newest));
   if (!active() || e.time_s < next_look_ || is_on_stairs(e, voice)) return;
   next_look_ = e.time_s + config_->renew_s;
   if (!find_way(e)) {
@@ -117,9 +140,9 @@ void Follower::update(const Estimate& e, bool vague, bool turning, Announcer& vo
   View view = look(e, vague);
   way_.note_progress();
   note_standing(view);
-  steering_.watch_stretch(view);
+  const bool waits = steering_.watch_stretch(view);
   herald_.note_way();
-  if (!lingers(view)) lead_on(view, turning, voice);
+  if (!lingers(view) && !waits) lead_on(view, turning, voice);
 }
 
 void Follower::lead_on(const View& view, bool turning, Announcer& voice) {

@@ -13,6 +13,7 @@
 #include "guidance/herald.hpp"
 #include "guidance/level_change.hpp"
 #include "guidance/reaction.hpp"
+#include "guidance/standing.hpp"
 #include "guidance/steering.hpp"
 #include "guidance/view.hpp"
 #include "guidance/way.hpp"
@@ -43,6 +44,12 @@ class Follower {
   /// Something that no plan knows stands at `at` in the wearer's room: the way is laid round it.
   void note_obstacle(const Estimate& estimate, Vec2 at) noexcept { way_.hindrances().hear(estimate.room, at, estimate.time_s); }
 
+  /// "Something ahead" has just been told: a walker feels for it and goes on without another word.
+  void note_feeling(const Cue& obstacle, const Estimate& estimate) noexcept;
+
+  /// The wearer wants to hear again which way to go: what they were told need not be done first.
+  void tell_again() noexcept;
+
   /// What to do next from here, as the tail of another line.
   [[nodiscard]] CueTail next_step(const Estimate& estimate);
 
@@ -69,9 +76,12 @@ class Follower {
   Arrival arrival_;
   LevelChange levels_;
   Herald herald_;
+  Standing standing_;
   double next_look_ = -1e300;
   double still_since_ = -1e300;
   bool was_walking_ = false;
+  double last_pace_ = 0.0;       ///< When they walked last, m/s.
+  double feels_until_ = -1e300;  ///< What stands in the way.
 };
 
 }  // namespace echoway::guidance

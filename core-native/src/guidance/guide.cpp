@@ -143,7 +143,7 @@ void Guide::Impl::update(const Estimate& newest, std::span<const Hypothesis> hyp
   const double now = newest.time_s;
   estimate = newest;
   obstacle_m = -1.0;
-  voice.answer(now);
+  if (!voice.is_way_asked() || !follower.active()) voice.answer(now);
   Estimate judged = newest;
   if (!position_usable()) judged.state = TrackState::lost;
   certainty.update(judged, now < std::max(follower.suspended_until(), climbing.until()));
@@ -166,6 +166,10 @@ void Guide::Impl::lead() {
   rooms.update(estimate);
   tell_obstacle();
   const bool vague = certainty.level() == Certainty::Level::vague;
+  if (voice.is_way_asked() && voice.is_free(now)) {
+    voice.take_way_question();
+    follower.tell_again();
+  }
   if (!certainty.jumped(now)) follower.update(estimate, vague, turning.turning(), voice);
   const bool answering = answers.is_answering() || answers.is_where_asked();
   answers.tell(estimate, follower.active() ? &follower.route() : nullptr, voice);
@@ -175,6 +179,10 @@ void Guide::Impl::lead() {
 
 void Guide::Impl::be_lost(std::span<const Hypothesis> places) {
   obstacles.clear();
+  if (voice.is_way_asked()) {  // which is that nobody knows
+    voice.take_way_question();
+    answers.ask_where();
+  }
   if (search.update(estimate, places, !certainty.was_sure(), answers.is_where_asked(), voice)) answers.where_was_answered();
 }
 
@@ -209,7 +217,9 @@ void Guide::Impl::tell_obstacle() {
   cue.direction = thing.direction;
   cue.has_direction = true;
   cue.distance_m = thing.distance_m;
-  if (voice.offer(cue, now)) obstacle_told = now;
+  if (!voice.offer(cue, now)) return;
+  obstacle_told = now;
+  follower.note_feeling(cue, estimate);
 }
 
 }  // namespace echoway

@@ -1,7 +1,10 @@
 #include "guidance/outlook.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "guidance/straight_walk.hpp"
 
 namespace echoway::guidance {
 namespace {
@@ -10,55 +13,66 @@ namespace {
 constexpr double kShoulder = 0.2;
 /// Who is to walk on must not have a thing before them that no plan knows, of which only some points are known, metres.
 constexpr double kFaceThing = 0.4;
-/// How ill a turn is made.
+/// How ill a turn is made at least, and a heading known at worst.
 constexpr double kWobble = degrees(8.0);
-/// A position is taken to be off by so much at most, metres.
+constexpr double kMostWobble = degrees(20.0);
+/// The standard deviation of a position is taken to be this at most, metres.
 constexpr double kMostBlur = 0.2;
 /// Places at most this far apart are looked at on the way to where a turn is made, metres.
 constexpr double kStops = 0.3;
+
+/// Where a position that is off by one lies, about where it is taken to be: across the line of sight and along it.
+struct Offset {
+  double across;
+  double along;
+};
+constexpr std::array<Offset, 5> kOffsets{{{-1.0, 0.0}, {-0.7, 0.7}, {0.0, 1.0}, {0.7, 0.7}, {1.0, 0.0}}};
+
+/// Whether `needed` is free towards `then` from wherever within `blur` of `at` the wearer may be, and `drift` to a side.
+bool is_free(const FreeSpace& space, Vec2 at, Vec2 then, double blur, double drift, double needed) noexcept {
+  return std::all_of(kOffsets.begin(), kOffsets.end(), [&](const Offset& o) {
+    const double far = needed + o.along * blur;
+    return space.reach(at + o.across * (blur + drift) * perpendicular(then), then, far) >= far;
+  });
+}
 
 }  // namespace
 
 Outlook::Approach Outlook::approach(const View& view, const Cue& cue, const Demand& demand) const noexcept {
   const Estimate& e = *view.estimate;
   Approach way;
-  way.ahead = unit_from_angle(e.pose.heading);
   way.blur = demand.sigmas * std::min(e.sigma_m, kMostBlur);
-  way.due = reaction_->way(cue, view.speed);
-  way.latest = way.due + reaction_->spread_s() * view.speed + way.blur;
-  way.until_wall = std::max(0.0, router_->space(e.room).reach(e.pose.position, way.ahead, 10.0) - config_->body_m);
+  way.wobble = std::clamp(demand.sigmas * e.sigma_heading_rad, kWobble, kMostWobble);
+  way.due = reaction_->way(cue, view.pace);
+  way.latest = way.due + reaction_->spread_s() * view.pace + way.blur;
   return way;
 }
 
 bool Outlook::clear_of_walls(const View& view, const Approach& way, double direction, const Demand& demand) const noexcept {
-  const Pose2& pose = view.estimate->pose;
-  const FreeSpace& space = router_->space(view.estimate->room);
-  const double drift = direction == 0.0 ? 0.0 : std::sin(kWobble);  // who goes on anyhow is no worse off than they were
+  const StraightWalk walk(*router_, view.estimate->room, view.estimate->pose, config_->body_m);
+  const double drift = direction == 0.0 ? 0.0 : std::sin(way.wobble);  // who goes on anyhow is no worse off than they were
   // All the way there too: somebody who touches a wall meanwhile stands still and does it where they are.
   const int stops = 1 + static_cast<int>(std::ceil(way.latest / kStops));
   for (int i = 0; i <= stops; ++i) {
-    const double on = std::min(way.latest * i / stops, way.until_wall);
-    const Vec2 there = pose.position + on * way.ahead;
-    const double play = way.blur + on * drift;
-    for (const double side : {-1.0, 1.0}) {
-      const Vec2 then = unit_from_angle(pose.heading + direction + side * kWobble);
-      for (const double error : {-play, play}) {
-        if (space.reach(there + error * perpendicular(then), then, demand.free_m) < demand.free_m) return false;
-      }
+    const double on = way.latest * i / stops;
+    const StraightWalk::Place there = walk.after(on);
+    for (const double side : {-1.0, 0.0, 1.0}) {
+      const Vec2 then = unit_from_angle(there.pose.heading + direction + side * way.wobble);
+      if (!is_free(router_->space(there.room), there.pose.position, then, way.blur, on * drift, demand.free_m)) return false;
     }
   }
   return true;
 }
 
 bool Outlook::clear_of_things(const View& view, const Approach& way, double direction, const Demand& demand) const noexcept {
-  const Pose2& pose = view.estimate->pose;
+  const StraightWalk walk(*router_, view.estimate->room, view.estimate->pose, config_->body_m);
   const double needed = std::min(demand.free_m, kFaceThing);
   const double play = way.latest - way.due;
   for (const double on : {way.due - play, way.due + play, 0.0}) {
-    const Vec2 there = pose.position + std::min(on, way.until_wall) * way.ahead;
+    const StraightWalk::Place there = walk.after(on);
     for (const double side : {-1.0, 1.0}) {
-      const Vec2 then = unit_from_angle(pose.heading + direction + side * kWobble);
-      if (hindrances_->reach(view.estimate->room, view.now, there, then, needed) < needed) return false;
+      const Vec2 then = unit_from_angle(there.pose.heading + direction + side * way.wobble);
+      if (hindrances_->reach(there.room, view.now, there.pose.position, then, needed) < needed) return false;
     }
   }
   return true;

@@ -10,8 +10,8 @@ namespace echoway::guidance {
 
 /// What an instruction must leave free.
 struct Demand {
-  double free_m = 0.65;  ///< Ahead, once it has been carried out.
-  double sigmas = 1.5;   ///< How far the position may be off, in its standard deviations.
+  double free_m = 0.55;  ///< Ahead, once it has been carried out.
+  double sigmas = 2.0;   ///< How far position and heading may be off, in their standard deviations.
 };
 
 /// Looks along an instruction, from wherever a wearer may come to carry it out.
@@ -23,11 +23,10 @@ class Outlook {
 
   /// Where a wearer who goes straight on does what they are told, in metres from here.
   struct Approach {
-    Vec2 ahead{};             ///< Unit.
     double blur = 0.0;        ///< The position may be off by so much.
+    double wobble = 0.0;      ///< and the direction by so much.
     double due = 0.0;         ///< Most likely,
-    double latest = 0.0;      ///< and at the latest,
-    double until_wall = 0.0;  ///< but no farther than this.
+    double latest = 0.0;      ///< and at the latest.
   };
   [[nodiscard]] Approach approach(const View& view, const Cue& cue, const Demand& demand) const noexcept;
 

@@ -8,9 +8,14 @@
 
 namespace echoway::guidance {
 
+namespace {
+
+constexpr std::array<double, 8> kWays{0.0, degrees(32.0), degrees(-32.0), degrees(85.0), degrees(-85.0), degrees(140.0), degrees(-140.0), kPi};
+
+}  // namespace
+
 std::optional<SideStep> find_side_step(const Router& router, const GuideConfig& config, const Outlook& outlook,
                                        const Aim& aim, const Way& way, const View& view, const Demand& demand) {
-  constexpr std::array<double, 8> kWays{0.0, degrees(32.0), degrees(-32.0), degrees(85.0), degrees(-85.0), degrees(140.0), degrees(-140.0), kPi};
   constexpr std::array<double, 4> kSteps{0.35, 0.6, 0.9, 1.3};
   constexpr double kMetresPerRadian = 0.4;
   const FreeSpace& space = router.space(view.estimate->room);
@@ -37,6 +42,28 @@ std::optional<SideStep> find_side_step(const Router& router, const GuideConfig& 
       least = cost;
       best = {direction, step};
     }
+  }
+  return best;
+}
+
+std::optional<SideStep> find_room(const Router& router, const GuideConfig& config, const Outlook& outlook, const Way& way,
+                                  const View& view, const Demand& demand) {
+  constexpr double kStep = 0.5;
+  constexpr double kEnough = 1.0;
+  constexpr double kGain = 0.1;
+  const FreeSpace& space = router.space(view.estimate->room);
+  const Pose2& pose = view.estimate->pose;
+  const Outlook::Approach from_here = outlook.approach(view, make_cue(CueKind::turn), demand);
+  double most = space.clearance(pose.position, kEnough) + kGain;
+  std::optional<SideStep> best;
+  for (const double direction : kWays) {
+    const Vec2 there = pose.position + kStep * unit_from_angle(pose.heading + direction);
+    const double clear = space.clearance(there, kEnough);
+    if (clear <= most || !space.clear_between(pose.position, there, config.body_m)) continue;
+    if (way.hindrances().hinders({pose.position, there})) continue;
+    if (!outlook.clear_of_walls(view, from_here, direction, demand)) continue;
+    most = clear;
+    best = {direction, kStep};
   }
   return best;
 }

@@ -19,4 +19,9 @@ struct SideStep {
 [[nodiscard]] std::optional<SideStep> find_side_step(const Router& router, const GuideConfig& config, const Outlook& outlook,
                                                      const Aim& aim, const Way& way, const View& view, const Demand& demand);
 
+/// Where to go from a spot that allows neither the turn nor a step towards it: to where the nearest wall is farthest. None
+/// where no step makes more room.
+[[nodiscard]] std::optional<SideStep> find_room(const Router& router, const GuideConfig& config, const Outlook& outlook,
+                                                const Way& way, const View& view, const Demand& demand);
+
 }  // namespace echoway::guidance

@@ -20,8 +20,13 @@ constexpr double kWorthBending = degrees(4.0);
 /// Walkers who are off by more than this are turned, by less they bear to a side.
 constexpr double kMostBend = degrees(22.0);
 
-/// What a turn must leave free, first what is best; where there is so little room, less must do.
-constexpr std::array<Demand, 3> kDemands{{{}, {0.55, 1.0}, {0.5, 0.0}}};
+/// What a turn must leave free to who walks and to who stands, which is where they have been for a while; and in a tight spot.
+constexpr Demand kWalking{};
+constexpr Demand kStanding{0.55, 1.5};
+constexpr Demand kTight{0.5, 1.0};
+/// Who stands there for so long without a word is sent to where there is more room, or turned all the same, seconds.
+constexpr double kStuck = 2.0;
+constexpr double kQuiteStuck = 6.0;
 
 }  // namespace
 
@@ -30,18 +35,26 @@ void Steering::forget() noexcept {
   stretch_.forget();
 }
 
-void Steering::watch_stretch(const View& view) noexcept {
+void Steering::tell_again() noexcept {
+  pacing_.straight_due = true;
+  pacing_.hold_until = -1e300;
+}
+
+bool Steering::watch_stretch(const View& view) noexcept {
   constexpr double kAhead = 0.35;  // from the wearer's middle to what was touched, metres
   switch (stretch_.watch(view, pacing_.hold_until)) {
     case Stretch::Outcome::open:
-      return;
+      break;
+    case Stretch::Outcome::short_of:
+      return true;
     case Stretch::Outcome::met:
       way_->hindrances().touch(view.estimate->room, view.estimate->pose, kAhead, view.now);
-      return;
+      break;
     case Stretch::Outcome::not_begun:
       begin_leg();
-      return;
+      break;
   }
+  return false;
 }
 
 void Steering::hold_after(const Cue& cue, const View& view) {
@@ -62,28 +75,37 @@ bool Steering::halt(const View& view, Announcer& voice) {
   if (free - config_->body_m > lead) return false;
   // On the way to a spot before that wall, where the wearer was told to go.
   if (std::abs(view.off) <= config_->ahead_rad && view.target_away < free - config_->body_m) return false;
+  return (put_safe_turn_in_tail(view, cue) && say_stop(view, cue, voice)) || stop_walker(view, voice);
+}
+
+/// "Stop. Turn left.", if that can be done where they will stand. `cue`: "Stop."
+bool Steering::put_safe_turn_in_tail(const View& view, Cue& cue) const {
   const double turn = told(view.off);
-  if (sector_of(turn) != Sector::ahead && outlook_.clear_ahead(view, cue, understood(turn), {})) {
-    cue.tail = {CueKind::turn, true, turn, -1.0};
-  }
-  if (!cue.tail.present || !voice.offer(cue, view.now)) return stop_walker(view, voice);
+  if (sector_of(turn) == Sector::ahead || !outlook_.clear_ahead(view, cue, understood(turn), {})) return false;
+  cue.tail = {CueKind::turn, true, turn, -1.0};
+  return true;
+}
+
+bool Steering::say_stop(const View& view, const Cue& cue, Announcer& voice) {
+  if (!voice.offer(cue, view.now)) return false;
   begin_leg();
   hold_after(cue, view);
   return true;
 }
 
-/// "Stop." once in a while; sooner after the last one "Stop. Door left.", which are other words.
+/// "Stop." once in a while; sooner after the last one other words: "Stop. Turn left.", "Stop. Door left.", "Stop. Facing the
+/// wall."
 bool Steering::stop_walker(const View& view, Announcer& voice) {
-  Cue cue = make_cue(CueKind::stop);
-  if (!voice.would_speak(cue, view.now)) {
-    const LinePoint* door = way_->first_door().door;
-    if (door == nullptr) return false;
+  const Cue plain = make_cue(CueKind::stop);
+  if (say_stop(view, plain, voice)) return true;
+  Cue cue = plain;
+  if (put_safe_turn_in_tail(view, cue) && say_stop(view, cue, voice)) return true;
+  if (const LinePoint* door = way_->first_door().door) {
     cue.tail = {CueKind::door, true, direction_to(view.estimate->pose, door->at), -1.0};
+    if (say_stop(view, cue, voice)) return true;
   }
-  if (!voice.offer(cue, view.now)) return false;
-  begin_leg();
-  hold_after(cue, view);
-  return true;
+  cue.tail = {CueKind::facing, true, 0.0, -1.0};
+  return say_stop(view, cue, voice);
 }
 
 /// A turn would face the wearer with a wall. Walkers are stopped first, where it is to be made. Whoever stands is sent
@@ -94,21 +116,27 @@ bool Steering::turn_in_tight_spot(const View& view, const Demand& demand, Announ
     if (view.at_turn && view.turn.distance > lead) return true;  // not yet
     return stop_walker(view, voice) || !voice.is_free(view.now);
   }
+  if (view.pace > 0.0) return true;  // they will walk on
   const auto step = find_side_step(*router_, *config_, outlook_, *aim_, *way_, view, demand);
   if (!step) return false;
+  (void)say_step(view, *step, voice);  // or soon
+  return true;
+}
+
+bool Steering::say_step(const View& view, const SideStep& step, Announcer& voice) {
   constexpr double kPace = 0.7;  // m/s
-  Cue cue = make_cue(step->direction == 0.0 ? CueKind::go_straight : CueKind::turn);
-  if (step->direction == 0.0) {
-    cue.distance_m = step->length_m;
+  Cue cue = make_cue(step.direction == 0.0 ? CueKind::go_straight : CueKind::turn);
+  if (step.direction == 0.0) {
+    cue.distance_m = step.length_m;
   } else {
-    cue.direction = step->direction;
+    cue.direction = step.direction;
     cue.has_direction = true;
-    cue.tail = {CueKind::go_straight, true, 0.0, step->length_m};
+    cue.tail = {CueKind::go_straight, true, 0.0, step.length_m};
   }
   if (!voice.offer(cue, view.now)) return false;
   begin_leg();
   hold_after(cue, view);
-  pacing_.hold_until += step->length_m / kPace;
+  pacing_.hold_until += step.length_m / kPace;
   return true;
 }
 
@@ -116,13 +144,33 @@ bool Steering::turn_in_tight_spot(const View& view, const Demand& demand, Announ
 bool Steering::is_kept_from_turning(const View& view, const Cue& cue, double direction, Announcer& voice) {
   const bool again = view.walking && voice.is_free(view.now) && !voice.would_speak(cue, view.now);
   if (again && turn_in_tight_spot(view, {}, voice)) return true;
-  // In a tight spot less must do, rather than nothing; a walker is stopped instead.
-  for (const Demand& demand : kDemands) {
-    if (outlook_.clear_ahead(view, cue, understood(direction), demand)) return false;
-    if (turn_in_tight_spot(view, demand, voice)) return true;
-    if (view.walking) return false;
-  }
-  return false;
+  const auto clear = [&](const Demand& demand) { return outlook_.clear_ahead(view, cue, understood(direction), demand); };
+  const Demand& first = view.walking ? kWalking : kStanding;
+  if (clear(first)) return false;
+  if (!view.walking && is_settling(view)) return true;
+  if (turn_in_tight_spot(view, first, voice)) return true;
+  if (view.walking) return true;  // rather nothing than towards a wall
+  // In a tight spot less must do, after a while.
+  if (clear(kTight)) return false;
+  return !is_stuck(view, kStuck) || leave_tight_spot(view, voice) || !is_stuck(view, kQuiteStuck);
+}
+
+/// Whether the wearer has just stopped and will soon be known better.
+bool Steering::is_settling(const View& view) noexcept {
+  constexpr double kWellKnown = 0.15;  // metres
+  constexpr double kSettles = 3.0;     // s
+  return view.estimate->sigma_m > kWellKnown && view.now - view.still_since < kSettles;
+}
+
+/// Whether the wearer has stood for so long without a word.
+bool Steering::is_stuck(const View& view, double seconds) const noexcept {
+  return view.now - std::max({view.still_since, pacing_.last_said, pacing_.hold_until}) > seconds;
+}
+
+/// To where there is more room, if not on the way.
+bool Steering::leave_tight_spot(const View& view, Announcer& voice) {
+  const auto step = find_room(*router_, *config_, outlook_, *way_, view, kTight);
+  return step && say_step(view, *step, voice);
 }
 
 void Steering::word_turn(const View& view, double direction, const Announcer& voice, Cue& cue) const {

@@ -3,6 +3,7 @@
 #include "guidance/announcer.hpp"
 #include "guidance/aim.hpp"
 #include "guidance/outlook.hpp"
+#include "guidance/side_step.hpp"
 #include "guidance/stretch.hpp"
 #include "guidance/view.hpp"
 #include "guidance/way.hpp"
@@ -19,8 +20,9 @@ class Steering {
         outlook_(router, config, way.hindrances(), reaction) {}
 
   void forget() noexcept;
-  /// Things that the wearer has met on the stretch that they were told.
-  void watch_stretch(const View& view) noexcept;
+  /// Things that the wearer has met on the stretch that they were told. True while it looks as if they have just met one:
+  /// where to go then is soon told better.
+  [[nodiscard]] bool watch_stretch(const View& view) noexcept;
 
   // Each offers at most one line; true when that is all there is to say now.
   /// "Stop" before a wall in the walking direction, nearer than the wearer can be turned in.
@@ -37,6 +39,8 @@ class Steering {
   [[nodiscard]] bool is_holding(double now) const noexcept { return now < pacing_.hold_until; }
   /// The next leg begins: "go straight" is due.
   void begin_leg() noexcept { pacing_.straight_due = true; }
+  /// Whatever was told before.
+  void tell_again() noexcept;
   [[nodiscard]] double last_said() const noexcept { return pacing_.last_said; }
   void note_said(double now) noexcept { pacing_.last_said = now; }
 
@@ -49,9 +53,15 @@ class Steering {
   };
   [[nodiscard]] bool say_turn(const View& view, Announcer& voice);
   [[nodiscard]] bool is_kept_from_turning(const View& view, const Cue& cue, double direction, Announcer& voice);
+  [[nodiscard]] static bool is_settling(const View& view) noexcept;
+  [[nodiscard]] bool is_stuck(const View& view, double seconds) const noexcept;
+  [[nodiscard]] bool leave_tight_spot(const View& view, Announcer& voice);
   void word_turn(const View& view, double direction, const Announcer& voice, Cue& cue) const;
   [[nodiscard]] bool say_bend(const View& view, Announcer& voice);
+  [[nodiscard]] bool put_safe_turn_in_tail(const View& view, Cue& cue) const;
+  [[nodiscard]] bool say_stop(const View& view, const Cue& cue, Announcer& voice);
   [[nodiscard]] bool stop_walker(const View& view, Announcer& voice);
+  [[nodiscard]] bool say_step(const View& view, const SideStep& step, Announcer& voice);
   [[nodiscard]] bool turn_in_tight_spot(const View& view, const Demand& demand, Announcer& voice);
   [[nodiscard]] Cue straight_cue(const View& view, double along, bool amend) const;
   [[nodiscard]] double length_to_tell(const View& view) const;

@@ -22,9 +22,9 @@ Stretch::Outcome Stretch::watch(const View& view, double acted_by) noexcept {
   if (view.walking) begun_ = true;
   const bool stands = !view.walking && view.now - view.still_since >= kStands;
   const bool waits = stands && !begun_ && view.now > acted_by + kSetsOff;
-  if (!waits && !(stands && begun_)) return Outcome::open;
   const double gone = distance(view.estimate->pose.position, from_.at);
   const bool well_short = gone < kShort * length_m_ && length_m_ - gone > 0.6;
+  if (!waits && !(stands && begun_)) return well_short && begun_ && !view.walking ? Outcome::short_of : Outcome::open;
   stood_ = waits ? stood_ + 1 : 0;
   length_m_ = -1.0;
   if (well_short && (begun_ || stood_ >= kTold)) {

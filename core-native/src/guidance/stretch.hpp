@@ -16,6 +16,7 @@ class Stretch {
 
   enum class Outcome : std::uint8_t {
     open,      ///< None is being walked, or it still is.
+    short_of,  ///< The wearer stands well short of its end, but not for long yet.
     met,       ///< Something was met before the chest.
     not_begun  ///< To be told again.
   };

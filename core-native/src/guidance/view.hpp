@@ -12,6 +12,7 @@ struct View {
   bool vague = false;         ///< Only coarse instructions.
   bool walking = false;
   double speed = 0.0;
+  double pace = 0.0;          ///< At which they may walk on by themselves, metres a second: a wearer feels for a thing and goes on.
   double still_since = 0.0;   ///< The wearer stands since then.
   double remaining = 0.0;     ///< Metres to the goal.
   Manoeuvre turn{};

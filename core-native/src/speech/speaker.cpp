@@ -57,12 +57,13 @@ class Line {
       : building_(building), style_(style), t_(table), cue_(cue) {}
 
   [[nodiscard]] std::string say(CueKind kind, double direction, double distance_m) const {
-    return expand(t_.lines[static_cast<std::size_t>(kind)], direction, distance_m);
+    return expand(kind, direction, distance_m);
   }
 
  private:
   /// Fills a template in; parts in brackets vanish with an empty placeholder in them.
-  [[nodiscard]] std::string expand(std::string_view line, double direction, double distance_m) const {
+  [[nodiscard]] std::string expand(CueKind kind, double direction, double distance_m) const {
+    const std::string_view line = t_.lines[static_cast<std::size_t>(kind)];
     std::string result;
     std::string part;
     bool in_part = false;
@@ -78,7 +79,7 @@ class Line {
         if (!empty) result += part;
       } else if (line[i] == '{') {
         const auto close = line.find('}', i);
-        const std::string value = value_of(line.substr(i + 1, close - i - 1), direction, distance_m);
+        const std::string value = value_of(kind, line.substr(i + 1, close - i - 1), direction, distance_m);
         empty = empty || value.empty();
         out += value;
         i = close;
@@ -89,13 +90,13 @@ class Line {
     return result;
   }
 
-  [[nodiscard]] std::string value_of(std::string_view key, double direction, double distance_m) const {
+  [[nodiscard]] std::string value_of(CueKind kind, std::string_view key, double direction, double distance_m) const {
     if (key == "dir") return where(direction);
     if (key == "turn") return turn(direction);
     if (key == "side") return t_.sides[side_of(direction)];
     if (key == "on") return cue_.has_direction ? on_side(direction) : "";
     if (key == "dist") return distance_m < 0.0 ? "" : length(distance_m);
-    if (key == "what") return landmark();
+    if (key == "what") return landmark(kind);
     if (key == "room") return room(cue_.room);
     if (key == "sensor") return t_.sensors[eighth(direction)];
     if (key == "up") return cue_.up ? t_.up : t_.down;
@@ -175,7 +176,7 @@ class Line {
     return cue_.landmark.kind == CueLandmark::Kind::link && i < building_.links.size() ? &building_.links[i] : nullptr;
   }
 
-  [[nodiscard]] std::string landmark() const {
+  [[nodiscard]] std::string landmark(CueKind kind) const {
     switch (cue_.landmark.kind) {
       case CueLandmark::Kind::door:
         return t_.door;
@@ -190,7 +191,7 @@ class Line {
       case CueLandmark::Kind::none:
         break;
     }
-    return cue_.kind == CueKind::facing ? t_.wall : "";
+    return kind == CueKind::facing ? t_.wall : "";
   }
 
   [[nodiscard]] std::string level() const {

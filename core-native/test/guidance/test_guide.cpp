@@ -413,6 +413,35 @@ TEST_F(GuideTest, RepeatsTheLastInstructionWhenAsked) {
   EXPECT_THAT(kinds(wearer.stand(3.0, 0, {1, 2.5}, 90.0)), Contains(CueKind::turn));
 }
 
+TEST_F(GuideTest, WhoAsksAgainAfterTheyHaveTurnedHearsWhatIsNext) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  EXPECT_THAT(kinds(wearer.stand(2.0, 0, {1, 2.5}, 90.0)), Contains(CueKind::turn));
+  (void)wearer.stand(0.6, 0, {1, 2.5}, 0.0);
+  EXPECT_TRUE(guide.repeat());
+  const auto cues = kinds(wearer.stand(2.0, 0, {1, 2.5}, 0.0));
+  EXPECT_THAT(cues, Contains(CueKind::go_straight));
+  EXPECT_THAT(cues, Not(Contains(CueKind::turn))) << "it would lead them away";
+}
+
+TEST_F(GuideTest, WhoAsksForTheWayWhenThePlaceIsLostHearsSo) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  EXPECT_THAT(kinds(wearer.stand(4.0, 0, {1, 2.5}, 90.0)), Contains(CueKind::turn));
+  EXPECT_TRUE(guide.repeat());
+  const auto cues = kinds(wearer.stay(12.0, lost(0)));
+  EXPECT_THAT(cues, Contains(CueKind::uncertain));
+  EXPECT_THAT(cues, Not(Contains(CueKind::turn)));
+}
+
+TEST_F(GuideTest, WhoStandsInACornerIsNotLeftInSilence) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  for (const double heading : {225.0, 180.0, 0.0}) {
+    const auto cues = wearer.stand(25.0, 0, {0.27, 0.27}, heading);
+    EXPECT_TRUE(std::any_of(cues.begin(), cues.end(), [](const Cue& c) {
+      return c.kind == CueKind::turn || c.kind == CueKind::go_straight || c.kind == CueKind::bear || c.tail.present;
+    })) << heading;
+  }
+}
+
 TEST(Guide, WhatIsHeardBesideTheWearerIsLedRoundWhenTheyTurnThere) {
   const Building hall = test::make_grid(1, 1, 8.0);
   const auto first_turn = [&](double beside) {

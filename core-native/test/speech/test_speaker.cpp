@@ -106,6 +106,12 @@ TEST_F(SpeakerTest, TellsDirectionsBySectorClockAndDegrees) {
   EXPECT_EQ(say(at(CueKind::door, 2)), "Door ahead.");
 }
 
+TEST_F(SpeakerTest, SaysWhatTheWearerIsStoppedBefore) {
+  Cue cue = at(CueKind::stop, 0);
+  cue.tail = {CueKind::facing, true, 0.0, -1.0};
+  EXPECT_EQ(say(cue), "Stop. Facing the wall.");
+}
+
 TEST_F(SpeakerTest, RoundsFeetMetresAndSteps) {
   EXPECT_EQ(say(at(CueKind::go_straight, 0, feet(1.2))), "Go straight, one foot.");
   EXPECT_EQ(say(at(CueKind::go_straight, 0, feet(9.4))), "Go straight, nine feet.");

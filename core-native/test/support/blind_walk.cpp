@@ -17,6 +17,7 @@ constexpr double kTurnRate = degrees(90.0);
 constexpr double kStorey = 17.0;        // s on stairs: two flights and the landing between,
 constexpr double kCabin = 14.0;         // and in an elevator, its coming included,
 constexpr double kCabinStorey = 3.0;    // for each level.
+constexpr double kStep = 0.6;           // one step, metres
 constexpr double kWrongReach = 0.5;     // an instruction towards a wall nearer than this is wrong, metres
 
 /// What a wearer understands by a sector.
@@ -136,10 +137,13 @@ class Wearer {
   }
 
   [[nodiscard]] bool done() const { return done_; }
-  [[nodiscard]] double speed() const { return walking_ && turn_left_ == 0.0 && now_ >= pause_until_ && !away() ? speed_ : 0.0; }
+  [[nodiscard]] double speed() const {
+    const bool moves = step_left_ > 0.0 || (walking_ && now_ >= pause_until_);
+    return moves && turn_left_ == 0.0 && !away() ? speed_ : 0.0;
+  }
   /// Standing about without a word for long: a wearer asks for the last line again.
   [[nodiscard]] bool asks() {
-    const bool busy = walking_ || turn_left_ != 0.0 || slow_turn_ > 0.0 || !todo_.empty() || away();
+    const bool busy = walking_ || turn_left_ != 0.0 || slow_turn_ > 0.0 || step_left_ > 0.0 || !todo_.empty() || away();
     if (busy || now_ - last_heard_ < model_.patience) return false;
     last_heard_ = now_;
     return true;
@@ -188,6 +192,10 @@ class Wearer {
       slow_turn_ -= degrees(30.0) * kTick;
       return;
     }
+    if (step_left_ > 0.0) {
+      step();
+      return;
+    }
     if (walking_ && now >= pause_until_) walk();
   }
 
@@ -214,6 +222,16 @@ class Wearer {
     outcome_.walked_m += length;
     budget_ -= length;
     if (budget_ <= 0.0) walking_ = false;  // nothing has been said for longer than was told: wait
+  }
+
+  /// A step aside, back or ahead without turning.
+  void step() {
+    const double length = std::min(speed_ * kTick, step_left_);
+    step_left_ -= length;
+    const Body::Met met = body_.move(step_direction_, length);
+    if (met == Body::Met::nothing) return;
+    ++(met == Body::Met::wall ? outcome_.touches : outcome_.bumps);
+    step_left_ = 0.0;
   }
 
   void judge(std::size_t cue, double direction, double need) {
@@ -271,7 +289,10 @@ class Wearer {
         return;
       case CueKind::probe_step:
         slow_turn_ = 0.0;
-        for (int i = 0; i < 6; ++i) body_.move(act.direction, 0.1);
+        walking_ = false;
+        judge(act.cue, act.direction, kStep);
+        step_left_ = kStep;
+        step_direction_ = act.direction;
         return;
       case CueKind::found:
         slow_turn_ = 0.0;
@@ -333,6 +354,8 @@ class Wearer {
   double slow_turn_ = 0.0;
   double slow_side_ = 1.0;
   double budget_ = 0.0;
+  double step_left_ = 0.0;
+  double step_direction_ = 0.0;
   double now_ = 0.0;
   double last_heard_ = 0.0;
   double pause_until_ = -1.0;
@@ -356,6 +379,7 @@ void NoisyTruth::observe(double time_s, RoomIndex room, const Pose2& pose, doubl
   e.room_probability = 0.97;
   e.state = TrackState::tracking;
   e.speed_mps = speed;
+  estimate_ = e;
   guide.on_estimate(e);
 }
 

@@ -53,8 +53,11 @@ class NoisyTruth : public PoseSource {
   NoisyTruth(double sigma_m, double sigma_heading, std::uint64_t seed)
       : sigma_m_(sigma_m), sigma_heading_(sigma_heading), random_(seed) {}
   void observe(double time_s, RoomIndex room, const Pose2& pose, double speed, Guide& guide) override;
+  /// What the guide was told last.
+  [[nodiscard]] const Estimate& estimate() const noexcept { return estimate_; }
 
  private:
+  Estimate estimate_{};
   double sigma_m_;
   double sigma_heading_;
   Random random_;
