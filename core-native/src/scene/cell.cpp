@@ -1,6 +1,7 @@
 #include "scene/cell.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "scene/visibility.hpp"
@@ -74,11 +75,17 @@ Reach reach_of(const Reflector& r, const Candidate& c, const Box& box, const Sig
 
 void fill_sectors(const RoomScene& room, const std::vector<Candidate>& seen, const Box& box, const SightLimits& limits, Cell& cell) {
   std::array<Reach, Cell::kMaxEntries> reaches;
-  for (std::size_t i = 0; i < seen.size(); ++i) reaches[i] = reach_of(room.reflectors[seen[i].reflector], seen[i], box, limits);
+  std::size_t count = 0;
+  // Where there is no room for all, the farthest are left out of every sector, not everything of the last ones.
+  for (std::size_t items = 0; count < seen.size(); ++count) {
+    reaches[count] = reach_of(room.reflectors[seen[count].reflector], seen[count], box, limits);
+    items += static_cast<std::size_t>(std::popcount(reaches[count].coarse));
+    if (items > Cell::kMaxItems) break;
+  }
   std::uint16_t used = 0;
   for (std::size_t s = 0; s < Cell::kSectors; ++s) {
     cell.sector_begin[s] = used;
-    for (std::size_t i = 0; i < seen.size() && used < Cell::kMaxItems; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
       if ((reaches[i].coarse >> s & 1U) == 0) continue;
       const bool sharp = (reaches[i].sharp >> s & 1U) != 0;
       cell.items[used++] = static_cast<std::uint8_t>(i | (sharp ? 0U : Cell::kCoarseOnly));
@@ -102,7 +109,7 @@ void compile_cell(const RoomScene& room, Vec2 low, Vec2 high, const SightLimits&
     const auto through_door = [&] {
       const Opening& door = room.openings[static_cast<std::size_t>(r.opening)];
       return distance_to_box(door.centre, box) < kInDoorway ||
-             hull_may_touch<6>({box[0], box[1], box[2], box[3], c.feet.a, c.feet.b}, door.span());
+             ways_may_touch(box, c.feet, door.span());
     };
     if (r.opening >= 0 && !through_door()) continue;
     seen.push_back(c);
@@ -125,7 +132,7 @@ void compile_cell(const RoomScene& room, Vec2 low, Vec2 high, const SightLimits&
     for (std::size_t k = 0; k < room.occluders.size() && !hidden; ++k) {
       if (static_cast<std::int16_t>(k) == r.own_index) continue;
       if (reach.misses(room.occluders[k])) continue;
-      if (!hull_may_touch<6>({box[0], box[1], box[2], box[3], c.feet.a, c.feet.b}, room.occluders[k]) &&
+      if (!ways_may_touch(box, c.feet, room.occluders[k]) &&
           !(mirrored && hull_may_touch<3>({c.feet.a, c.feet.b, r.b}, room.occluders[k]))) {
         continue;
       }

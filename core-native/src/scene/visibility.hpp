@@ -10,29 +10,52 @@
 
 namespace echoway::scene {
 
+/// True when a line across `axis` separates `s` from all `points`.
+template <std::size_t N>
+[[nodiscard]] bool separated(Vec2 axis, const std::array<Vec2, N>& points, const Segment& s) noexcept {
+  double low = dot(axis, points[0]);
+  double high = low;
+  for (std::size_t i = 1; i < N; ++i) {
+    const double v = dot(axis, points[i]);
+    low = v < low ? v : low;
+    high = v > high ? v : high;
+  }
+  const double a = dot(axis, s.a);
+  const double b = dot(axis, s.b);
+  return (a < low && b < low) || (a > high && b > high);
+}
+
 /// False only when a line separates `s` from the convex hull of `points`; the axes tried are those of the points' own
 /// connections and of `s`, so a true answer may be a near miss. Leaving something out on false is therefore safe.
 template <std::size_t N>
 [[nodiscard]] bool hull_may_touch(const std::array<Vec2, N>& points, const Segment& s) noexcept {
-  const auto separated = [&](Vec2 axis) {
-    double low = dot(axis, points[0]);
-    double high = low;
-    for (std::size_t i = 1; i < N; ++i) {
-      const double v = dot(axis, points[i]);
-      low = v < low ? v : low;
-      high = v > high ? v : high;
-    }
-    const double a = dot(axis, s.a);
-    const double b = dot(axis, s.b);
-    return (a < low && b < low) || (a > high && b > high);
-  };
-  if (separated({1.0, 0.0}) || separated({0.0, 1.0}) || separated(perpendicular(s.direction()))) return false;
+  if (separated({1.0, 0.0}, points, s) || separated({0.0, 1.0}, points, s)) return false;
+  if (separated(perpendicular(s.direction()), points, s)) return false;
   for (std::size_t i = 0; i + 1 < N; ++i) {
     for (std::size_t j = i + 1; j < N; ++j) {
-      if (separated(perpendicular(points[j] - points[i]))) return false;
+      if (separated(perpendicular(points[j] - points[i]), points, s)) return false;
     }
   }
   return true;
+}
+
+/// The same for all straight ways from an upright box to a point: its own sides need no further axes.
+[[nodiscard]] inline bool ways_may_touch(const std::array<Vec2, 4>& box, Vec2 to, const Segment& s) noexcept {
+  const std::array<Vec2, 5> points{box[0], box[1], box[2], box[3], to};
+  if (separated({1.0, 0.0}, points, s) || separated({0.0, 1.0}, points, s)) return false;
+  if (separated(perpendicular(s.direction()), points, s)) return false;
+  return std::none_of(box.begin(), box.end(), [&](Vec2 corner) { return separated(perpendicular(to - corner), points, s); });
+}
+
+/// And from the box to a stretch.
+[[nodiscard]] inline bool ways_may_touch(const std::array<Vec2, 4>& box, const Segment& to, const Segment& s) noexcept {
+  if (to.a == to.b) return ways_may_touch(box, to.a, s);
+  const std::array<Vec2, 6> points{box[0], box[1], box[2], box[3], to.a, to.b};
+  if (separated({1.0, 0.0}, points, s) || separated({0.0, 1.0}, points, s)) return false;
+  if (separated(perpendicular(s.direction()), points, s) || separated(perpendicular(to.direction()), points, s)) return false;
+  return std::none_of(box.begin(), box.end(), [&](Vec2 corner) {
+    return separated(perpendicular(to.a - corner), points, s) || separated(perpendicular(to.b - corner), points, s);
+  });
 }
 
 /// Bounding box of some points: most of a large room's walls are ruled out by it alone.

@@ -78,8 +78,10 @@ class EchoModel {
 
   /// Probability that a wall answers that is `distance` away along an axis whose angle with the normal has this cosine.
   [[nodiscard]] double rough(double cosine, double distance) const noexcept {
-    return cosine > rough_cosine_ && distance < rough_range_ ? rough_ * std::min(1.0, 2.0 * (1.0 - distance / rough_range_)) : 0.0;
+    return !too_askew(cosine) && distance < rough_range_ ? rough_ * std::min(1.0, 2.0 * (1.0 - distance / rough_range_)) : 0.0;
   }
+  /// At such an angle no rough wall answers.
+  [[nodiscard]] bool too_askew(double cosine) const noexcept { return !(cosine > rough_cosine_); }
 
   /// Density of an echo at `range`, per metre: `explained` by the plan (chance times Gaussian, summed), by what is not in it
   /// behind what failed to answer (`survival`: probability that nothing nearer did), or `again`, known to answer now.

@@ -45,6 +45,7 @@ Sighting sighting(double range, double chance, double extra_variance, Vec2 gradi
 // A rough wall answers from where the axis meets it, give or take what the beam's width blurs.
 bool see_rough_wall(const Reflector& r, const View& view, double d, Vec2 normal, Sighting& seen) noexcept {
   const double cosine = -dot(view.axis, normal);
+  if (view.model.too_askew(cosine)) return false;
   const double way = d / std::max(cosine, 0.01);
   const double chance = view.model.rough(cosine, way);
   if (chance <= 0.0) return false;
