@@ -90,6 +90,39 @@ TEST(Cell, LeavingOutWhatAPlaceCannotHearChangesNoEcho) {
   EXPECT_GT(compared, 1000);
 }
 
+void add_ring(Room& room, Vec2 centre, double radius, int screens) {
+  for (int i = 0; i < screens; ++i) {
+    const Vec2 out = unit_from_angle(kTwoPi * i / screens);
+    const Vec2 along = 0.09 * perpendicular(out);
+    const Vec2 at = centre + radius * out;
+    room.walls.push_back({at - along, at + along});
+  }
+}
+
+TEST(Cell, TooFullForAllThatMayAnswerLeavesOutTheFarthest) {
+  Building building;
+  building.rooms.push_back(test::make_box("screens", 10.0, 10.0));
+  const Vec2 centre{4.95, 4.95};
+  add_ring(building.rooms[0], centre, 1.4, 36);
+  add_ring(building.rooms[0], centre, 2.4, 24);
+  const tracker::EchoModel model(BeltConfig{}, {});
+  scene::Scene compiled(building, model.sight_limits());
+  const scene::RoomScene& room = compiled.room(0);
+  scene::Cell whole = whole_room(room);
+  for (int i = 0; i < 180; ++i) {
+    tracker::Particle p;
+    p.room = 0;
+    p.position = centre;
+    p.heading = kTwoPi * i / 180;
+    p.facing = unit_from_angle(p.heading);
+    const ExpectedEchoes some = tracker::expect(p, {}, model, compiled);
+    const ExpectedEchoes all = expect_from_all(whole, room, p, {}, model);
+    ASSERT_GT(all.count, 0);
+    ASSERT_GT(some.count, 0) << "heading " << p.heading;
+    EXPECT_EQ(some.echo[0].range, all.echo[0].range) << "heading " << p.heading;
+  }
+}
+
 TEST(SceneReport, SaysWhatARoomDoesNotNeed) {
   const Building building = furnished_office();
   const SceneReport report = report_scene(building, {});
