@@ -66,21 +66,18 @@ std::string check(const Building& building) {
   for (const Room& room : building.rooms) {
     if (std::string broken = check_room(room); !broken.empty()) return broken;
   }
-  const auto known = [&](RoomIndex room) {
-    return room >= 0 && static_cast<std::size_t>(room) < building.rooms.size();
-  };
   for (const Door& door : building.doors) {
-    if (!known(door.room_a) || !known(door.room_b)) return "a door to no room";
+    if (!building.has_room(door.room_a) || !building.has_room(door.room_b)) return "a door to no room";
     if (!is_finite(door.at_a) || !is_finite(door.at_b) || !(door.width > 0.0) || !std::isfinite(door.width)) {
       return "a door that is not finite";
     }
   }
   for (const LevelLink& link : building.links) {
-    if (!known(link.room_a) || !known(link.room_b)) return "stairs to no room";
+    if (!building.has_room(link.room_a) || !building.has_room(link.room_b)) return "stairs to no room";
   }
   for (const auto* landmarks : {&building.exits, &building.places}) {
     for (const Landmark& landmark : *landmarks) {
-      if (!known(landmark.room) || !is_finite(landmark.at)) return "a place that is nowhere";
+      if (!building.has_room(landmark.room) || !is_finite(landmark.at)) return "a place that is nowhere";
     }
   }
   for (const LoopClosure& closure : building.loop_closures) {

@@ -101,18 +101,15 @@ std::optional<std::string> why_not_writable(const Building& building) {
     if (!is_room_id(room.id)) return "room id '" + room.id + "' is no word that a file can name";
     if (!ids.insert(room.id).second) return "two rooms are called '" + room.id + "'";
   }
-  const auto exists = [&](RoomIndex room) {
-    return room >= 0 && static_cast<std::size_t>(room) < building.rooms.size();
-  };
   for (const Door& door : building.doors) {
-    if (!exists(door.room_a) || !exists(door.room_b)) return "a door leads to a room that does not exist";
+    if (!building.has_room(door.room_a) || !building.has_room(door.room_b)) return "a door leads to a room that does not exist";
   }
   for (const LevelLink& link : building.links) {
-    if (!exists(link.room_a) || !exists(link.room_b)) return "stairs lead to a room that does not exist";
+    if (!building.has_room(link.room_a) || !building.has_room(link.room_b)) return "stairs lead to a room that does not exist";
   }
   for (const auto* list : {&building.exits, &building.places}) {
     for (const Landmark& landmark : *list) {
-      if (!exists(landmark.room)) return "a place is in a room that does not exist";
+      if (!building.has_room(landmark.room)) return "a place is in a room that does not exist";
     }
   }
   return std::nullopt;

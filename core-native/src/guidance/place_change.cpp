@@ -7,7 +7,7 @@
 namespace echoway::guidance {
 
 bool is_place(const Building& building, const Estimate& e) noexcept {
-  return e.room >= 0 && static_cast<std::size_t>(e.room) < building.rooms.size() && is_finite(e.pose);
+  return building.has_room(e.room) && is_finite(e.pose);
 }
 
 double least_walk(const Router& router, const Estimate& from, const Estimate& to) noexcept {

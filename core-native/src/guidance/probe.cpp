@@ -60,7 +60,7 @@ Probe choose_probe(const Router& router, const BeltConfig& belt, std::span<const
   std::array<Hypothesis, kPlaces> kept;
   std::size_t count = 0;
   for (const Hypothesis& h : all) {
-    const bool known = h.room >= 0 && static_cast<std::size_t>(h.room) < router.building().rooms.size();
+    const bool known = router.building().has_room(h.room);
     if (count < kPlaces && known && is_finite(h.pose)) kept[count++] = h;
   }
   const std::span<const Hypothesis> places(kept.data(), count);

@@ -11,7 +11,7 @@ constexpr double kSamePlace = 0.8;
 }  // namespace
 
 Result<Route> Router::retrace(const Spot& from, std::span<const Spot> crumbs) const {
-  const auto usable = [this](const Spot& s) { return has_room(s.room) && is_finite(s.at); };
+  const auto usable = [this](const Spot& s) { return building_->has_room(s.room) && is_finite(s.at); };
   if (!usable(from) || !std::all_of(crumbs.begin(), crumbs.end(), usable)) {
     return Error{"the way back leads through a room that this building does not have"};
   }

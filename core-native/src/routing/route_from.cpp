@@ -150,7 +150,7 @@ void Router::follow(const Spot& start, const RouteTree& tree, const Connection& 
 
 Status Router::route_from(const Spot& from, const RouteTree& tree, Route& route, const BoundFor& bound_for) const {
   route.clear();
-  if (!has_room(from.room) || !is_finite(from.at)) return Error{"the start lies in no room of this building"};
+  if (!building_->has_room(from.room) || !is_finite(from.at)) return Error{"the start lies in no room of this building"};
   if (tree.cost.size() != nodes_.size() || tree.targets.empty()) return Error{"no destination is set"};
   Spot start = from;
   const FreeSpace& free = space(from.room);

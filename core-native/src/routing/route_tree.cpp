@@ -11,10 +11,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-bool Router::has_room(RoomIndex room) const noexcept {
-  return room >= 0 && static_cast<std::size_t>(room) < building_->rooms.size();
-}
-
 Spot Router::stand(const Spot& spot) const {
   const FreeSpace& free = space(spot.room);
   for (const ClearanceStep& step : config_.clearances) {
@@ -27,7 +23,7 @@ Spot Router::stand(const Spot& spot) const {
 std::vector<RouteTree::Target> Router::targets_of(const Goal& goal) const {
   std::vector<RouteTree::Target> targets;
   const auto add = [&](Goal::Kind kind, std::size_t index, RoomIndex room, Vec2 at) {
-    if (!has_room(room) || !is_finite(at)) return;
+    if (!building_->has_room(room) || !is_finite(at)) return;
     targets.push_back({{kind, static_cast<std::int32_t>(index), {}}, stand({room, at})});
   };
   const auto add_landmark = [&](Goal::Kind kind, const std::vector<Landmark>& all, std::size_t index) {
@@ -48,7 +44,7 @@ std::vector<RouteTree::Target> Router::targets_of(const Goal& goal) const {
       for (std::size_t i = 0; i < building_->exits.size(); ++i) add_landmark(Goal::Kind::exit, building_->exits, i);
       break;
     case Goal::Kind::room:
-      if (!has_room(goal.index)) break;
+      if (!building_->has_room(goal.index)) break;
       // A room is reached in front of any of its doors or stairs, on the inside.
       for (std::int32_t n = room_begin_[static_cast<std::size_t>(goal.index)];
            n < room_begin_[static_cast<std::size_t>(goal.index) + 1]; ++n) {

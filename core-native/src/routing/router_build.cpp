@@ -59,7 +59,7 @@ double Router::link_cost(const LevelLink& link) const noexcept {
 
 void Router::add_doors_and_links() {
   const auto centre_of = [this](RoomIndex room, std::size_t door, Vec2 fallback) {
-    if (!has_room(room)) return fallback;
+    if (!building_->has_room(room)) return fallback;
     for (const Passage& passage : space(room).passages()) {
       if (passage.door == static_cast<std::int32_t>(door)) return passage.centre;
     }

@@ -35,9 +35,7 @@ Status check_belt(const BeltConfig& belt) {
 
 Status check_start(const Start& start, const Building& building) {
   const bool has_room = start.room.has_value();
-  if (has_room && (*start.room < 0 || static_cast<std::size_t>(*start.room) >= building.rooms.size())) {
-    return Error{"the start names a room that the building does not have"};
-  }
+  if (has_room && !building.has_room(*start.room)) return Error{"the start names a room that the building does not have"};
   if (!has_room && (start.position || start.heading)) return Error{"a start position or heading needs its room"};
   if (start.position && !is_finite(*start.position)) return Error{"the start position is not finite"};
   if (start.heading && !std::isfinite(*start.heading)) return Error{"the start heading is not finite"};

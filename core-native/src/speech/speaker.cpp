@@ -157,7 +157,7 @@ class Line {
   }
 
   [[nodiscard]] std::string room(RoomIndex index) const {
-    if (index < 0 || static_cast<std::size_t>(index) >= building_.rooms.size()) return t_.nowhere;
+    if (!building_.has_room(index)) return t_.nowhere;
     const Room& r = building_.room(index);
     // An id that was made from the name ("2-main-corridor") is for files, not for ears.
     if (!r.name.empty() && letters_of(r.id).find(letters_of(r.name)) != std::string::npos) return r.name;

@@ -4,9 +4,8 @@ namespace echoway::thesis {
 
 std::vector<std::vector<Exit>> exits_of(const Building& building) {
   std::vector<std::vector<Exit>> exits(building.rooms.size());
-  const auto exists = [&](RoomIndex r) { return r >= 0 && static_cast<std::size_t>(r) < building.rooms.size(); };
   const auto add = [&](RoomIndex from, Vec2 at, RoomIndex to, Vec2 there) {
-    if (!exists(from) || !exists(to) || from == to || !is_finite(at) || !is_finite(there)) return;
+    if (!building.has_room(from) || !building.has_room(to) || from == to || !is_finite(at) || !is_finite(there)) return;
     // Positions are taken over at the door itself, not through the level's frame: a loop of rooms that fails to close
     // then does no harm.
     const double turn = wrap_angle(building.room(from).frame.heading - building.room(to).frame.heading);

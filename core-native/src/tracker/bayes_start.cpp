@@ -59,7 +59,7 @@ BayesLocator::Core::Core(const Building& building, const BeltConfig& belt, const
 }
 
 void BayesLocator::Core::begin() {
-  if (start_.room && (*start_.room < 0 || *start_.room >= static_cast<RoomIndex>(building_.rooms.size()))) start_ = {};
+  if (start_.room && !building_.has_room(*start_.room)) start_ = {};
   if (start_.heading && !std::isfinite(*start_.heading)) start_.heading.reset();
   if (start_.heading) start_.heading = wrap_angle(*start_.heading);  // Whoever says it may have counted the turns.
   if (start_.room && start_.position && can_stand(*start_.room, *start_.position)) {

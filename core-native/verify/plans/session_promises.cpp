@@ -12,7 +12,7 @@ constexpr int kMostCues = 64;  // Waiting at once.
 bool usable(const Pose2& pose) { return is_finite(pose) && pose.heading > -4.0 && pose.heading < 4.0; }
 
 std::string check(const Estimate& e, const Building& building) {
-  if (e.room < kNoRoom || e.room >= static_cast<RoomIndex>(building.rooms.size())) return "the estimate's room does not exist";
+  if (e.room != kNoRoom && !building.has_room(e.room)) return "the estimate's room does not exist";
   for (const double value : {e.time_s, e.sigma_m, e.sigma_heading_rad, e.room_probability, e.covariance_xx,
                              e.covariance_xy, e.covariance_yy, e.speed_mps, e.sound_speed_scale}) {
     if (!std::isfinite(value)) return "the estimate has something that is not finite";
@@ -29,7 +29,7 @@ std::string check(const Estimate& estimate, std::span<const Hypothesis> hypothes
   double total = 0.0;
   for (const Hypothesis& h : hypotheses) {
     if (!usable(h.pose) || !std::isfinite(h.sigma_m) || !(h.probability >= 0.0)) return "a hypothesis is not finite";
-    if (h.room < 0 || h.room >= static_cast<RoomIndex>(building.rooms.size())) return "a hypothesis in no room";
+    if (!building.has_room(h.room)) return "a hypothesis in no room";
     total += h.probability;
   }
   return total <= 1.0 + 1e-9 ? "" : "hypotheses that add up to more than 1";

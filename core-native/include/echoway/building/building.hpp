@@ -80,12 +80,15 @@ struct Building {
   std::vector<Landmark> places;
   std::vector<LoopClosure> loop_closures;
 
+  /// Whether `i` is one of this building's rooms. False for kNoRoom and for any other number that comes from outside.
+  [[nodiscard]] bool has_room(RoomIndex i) const noexcept { return i >= 0 && static_cast<std::size_t>(i) < rooms.size(); }
   [[nodiscard]] RoomIndex find_room(std::string_view id) const noexcept {
     for (std::size_t i = 0; i < rooms.size(); ++i) {
       if (rooms[i].id == id) return static_cast<RoomIndex>(i);
     }
     return kNoRoom;
   }
+  /// REQUIRES: has_room(i).
   [[nodiscard]] const Room& room(RoomIndex i) const { return rooms[static_cast<std::size_t>(i)]; }
 };
 

@@ -85,7 +85,6 @@ class Router {
   void add_edge(std::int32_t a, std::int32_t b, double cost, double clearance, bool stairs = false);
   [[nodiscard]] Waypoint through_door(std::int32_t door, RoomIndex from) const;
   [[nodiscard]] double link_cost(const LevelLink& link) const noexcept;
-  [[nodiscard]] bool has_room(RoomIndex room) const noexcept;
   [[nodiscard]] std::vector<RouteTree::Target> targets_of(const Goal& goal) const;
   [[nodiscard]] Spot stand(const Spot& spot) const;
   void seed_tree(RouteTree& tree) const;
