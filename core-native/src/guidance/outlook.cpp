@@ -80,7 +80,7 @@ bool Outlook::clear_of_things(const View& view, const Approach& way, double dire
 
 bool Outlook::clear_ahead(const View& view, const Cue& cue, double direction, const Demand& demand) const noexcept {
   const Approach way = approach(view, cue, demand);
-  return clear_of_walls(view, way, direction, demand) && clear_of_things(view, way, direction, demand);
+  return clear_of_walls(view, way, direction, demand) && (!demand.things || clear_of_things(view, way, direction, demand));
 }
 
 bool Outlook::grazes(const View& view) const noexcept {

@@ -12,6 +12,7 @@ namespace echoway::guidance {
 struct Demand {
   double free_m = 0.55;  ///< Ahead, once it has been carried out.
   double sigmas = 2.0;   ///< How far position and heading may be off, in their standard deviations.
+  bool things = true;    ///< Of things that no plan knows too, of which only some points are known.
 };
 
 /// Looks along an instruction, from wherever a wearer may come to carry it out.

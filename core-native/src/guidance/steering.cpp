@@ -23,10 +23,10 @@ constexpr double kMostBend = degrees(22.0);
 /// What a turn must leave free to who walks and to who stands, which is where they have been for a while; and in a tight spot.
 constexpr Demand kWalking{};
 constexpr Demand kStanding{0.55, 1.5};
-constexpr Demand kTight{0.5, 1.0};
+constexpr Demand kTight{0.5, 1.0, false};
 /// Who stands there for so long without a word is sent to where there is more room, or turned all the same, seconds.
 constexpr double kStuck = 2.0;
-constexpr double kQuiteStuck = 6.0;
+constexpr double kQuiteStuck = 8.0;
 
 }  // namespace
 
@@ -261,11 +261,14 @@ bool Steering::go_on(const View& view, Announcer& voice) {
   const double along = length_to_tell(view);
   const Cue plain = make_cue(CueKind::go_straight);
   if (view.walking && along < reaction_->way(plain, view.speed)) return false;
-  const Demand demand{std::min(Demand{}.free_m, 0.8 * along), Demand{}.sigmas};
+  const bool stuck = !view.walking && is_stuck(view, kQuiteStuck);
+  const Demand& most = view.walking ? kWalking : stuck ? kTight : kStanding;
+  const Demand demand{std::min(most.free_m, 0.8 * along), most.sigmas};
   const Outlook::Approach way = outlook_.approach(view, plain, demand);
   const double direction = amend ? view.off : 0.0;
   if (!outlook_.clear_of_walls(view, way, direction, demand)) return false;
-  if (!amend && !outlook_.clear_of_things(view, way, direction, demand)) return false;
+  // Of things only some points are known, not quite where they are: who gets nowhere goes on by touch.
+  if (!amend && !stuck && !outlook_.clear_of_things(view, way, direction, demand)) return false;
   const Cue cue = straight_cue(view, along, amend);
   if (!voice.offer(cue, view.now)) return false;
   way_->told_new();

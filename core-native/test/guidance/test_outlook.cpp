@@ -56,6 +56,14 @@ TEST_F(OutlookTest, WhoWalksOnByThemselvesIsNotTurnedWhereTheyWillHaveCome) {
   EXPECT_FALSE(clear(e, 0.0, 0.8));
 }
 
+TEST_F(OutlookTest, ThingsThatNoPlanKnowsCountUnlessOnlyWallsAreAskedFor) {
+  const Estimate e = at({2.0, 1.0}, 0.0);
+  hindrances.hear(0, {2.3, 1.0}, 0.0);
+  EXPECT_FALSE(clear(e, 0.0));
+  EXPECT_TRUE(clear(e, 90.0)) << "it stands ahead only";
+  EXPECT_TRUE(clear(e, 0.0, 0.0, {0.5, 1.0, false}));
+}
+
 TEST_F(OutlookTest, BeyondADoorwayTheNextRoomIsLookedAt) {
   const Estimate before_door = at({4.6, 2.5}, 0.0);
   EXPECT_TRUE(clear(before_door, 0.0, 0.8, {3.0, 0.0}));
