@@ -35,14 +35,35 @@ TrackRow to_row(const Estimate& estimate, const Building& building) {
   return row;
 }
 
-// Both logs in order of time; a hint comes before a firing of the same instant, so that the firing profits from it.
-template <class OnHint, class OnFiring>
-void replay(const ScanLog& scans, const std::vector<MotionHint>& hints, OnHint on_hint, OnFiring on_firing) {
+// Both logs in order of time. A hint comes before a firing of the same instant, so that the firing profits from it, and the
+// wearer's word of where they stand before both.
+template <class OnRestart, class OnHint, class OnFiring>
+void replay(const ScanLog& scans, const std::vector<MotionHint>& hints, OnRestart on_restart, OnHint on_hint,
+            OnFiring on_firing) {
   std::size_t next_hint = 0;
+  std::size_t next_restart = 0;
+  const auto restart_until = [&](double time_s) {
+    while (next_restart < scans.restarts.size() && scans.restarts[next_restart].time_s <= time_s) on_restart(next_restart++);
+  };
   for (const Firing& firing : scans.firings) {
-    while (next_hint < hints.size() && hints[next_hint].time_s <= firing.time_s) on_hint(hints[next_hint++]);
+    for (; next_hint < hints.size() && hints[next_hint].time_s <= firing.time_s; ++next_hint) {
+      restart_until(hints[next_hint].time_s);
+      on_hint(hints[next_hint]);
+    }
+    restart_until(firing.time_s);
     on_firing(firing);
   }
+}
+
+/// Where the wearer said that they stand, in the order of the log.
+Result<std::vector<Start>> restarts_in(const Building& building, const ScanLog& scans) {
+  std::vector<Start> starts;
+  for (const LoggedRestart& restart : scans.restarts) {
+    const Result<Start> start = restart.start_in(building);
+    if (!start) return start.error();
+    starts.push_back(*start);
+  }
+  return starts;
 }
 
 Status write_cues(const std::vector<SpokenCue>& cues, const std::string& path) {
@@ -66,6 +87,8 @@ int locate(const LocateOptions& options) {
   }
   const Result<SessionConfig> config = options.session.config(*building, scans->belt);
   if (!config) return bad_input(config.error());
+  const Result<std::vector<Start>> restarts = restarts_in(*building, *scans);
+  if (!restarts) return bad_input(restarts.error());
   Result<std::unique_ptr<Session>> opened = Session::open(std::move(*building), *config);
   if (!opened) return bad_input(opened.error());
   Session& session = **opened;
@@ -78,9 +101,14 @@ int locate(const LocateOptions& options) {
   CueCollector voice(session, options.session.speech_style());
   std::vector<TrackRow> track;
   track.reserve(scans->firings.size());
+  std::optional<Error> refused;
   const auto begin = std::chrono::steady_clock::now();
   replay(
-      *scans, hints, [&](const MotionHint& hint) { session.on_motion(hint); },
+      *scans, hints,
+      [&](std::size_t i) {
+        if (const Status started = session.restart((*restarts)[i]); !started && refused) refused = started.error();
+      },
+      [&](const MotionHint& hint) { session.on_motion(hint); },
       [&](const Firing& firing) {
         if (session.on_firing(firing) && session.estimate().room != kNoRoom) {
           track.push_back(to_row(session.estimate(), session.building()));
@@ -88,6 +116,7 @@ int locate(const LocateOptions& options) {
         voice.collect();
       });
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  if (refused) return bad_input(*refused);
 
   if (const Status written = write_track_log(track, options.track); !written) return bad_input(written.error());
   if (!options.cues.empty()) {

@@ -58,8 +58,10 @@ Status read(const std::filesystem::path& file, std::span<const std::string_view>
     const std::string_view line = text::trim(*raw);
     if (line.empty()) continue;
     if (line.front() == '#') {
-      if (width > 0 || !handlers.comment) continue;
-      if (const auto problem = handlers.comment(text::trim(line.substr(1)))) return reader.error_here(*problem);
+      const auto& handler = width > 0 ? handlers.later_comment : handlers.comment;
+      const auto problem = handler ? handler(text::trim(line.substr(1))) : std::nullopt;
+      if (problem && !reader.line_ended()) break;
+      if (problem) return reader.error_here(*problem);
       continue;
     }
     const std::size_t count = split(line, fields);

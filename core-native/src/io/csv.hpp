@@ -36,6 +36,8 @@ class Row {
 struct Handlers {
   /// Each comment line before the header, without `#`; returns what is wrong with it.
   std::function<std::optional<std::string>(std::string_view)> comment = nullptr;
+  /// The same for those after it.
+  std::function<std::optional<std::string>(std::string_view)> later_comment = nullptr;
   /// Each row; returns what is wrong with it, and keeps nothing of it then.
   std::function<std::optional<std::string>(const Row&)> row;
 };

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -74,6 +76,41 @@ Problem read_belt_comment(std::string_view comment, BeltHeader& belt) {
     }
     known.set(belt, *value);
   }
+  return std::nullopt;
+}
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  while (!(line = text::trim(line)).empty()) {
+    const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+    words.push_back(line.substr(0, end));
+    line.remove_prefix(end);
+  }
+  return words;
+}
+
+/// `restart time_s room x_m y_m heading_deg`, a `-` where something was not said; any other comment is prose.
+Problem read_restart(std::string_view comment, std::vector<LoggedRestart>& restarts) {
+  const std::vector<std::string_view> words = words_of(comment);
+  if (words.size() != 6 || words[0] != "restart") return std::nullopt;
+  std::array<std::optional<double>, 6> values;
+  for (const std::size_t i : {std::size_t{1}, std::size_t{3}, std::size_t{4}, std::size_t{5}}) {
+    if (words[i] == "-") continue;
+    values[i] = text::parse_number(words[i]);
+    const double limit = i == 1 ? kMaxTime : i == 5 ? kMaxAngle : kMaxLength;
+    if (!values[i] || std::abs(*values[i]) > limit) return "'" + std::string(words[i]) + "' is no sensible number for a restart";
+  }
+  if (!values[1]) return "a restart needs its time";
+  if (values[3].has_value() != values[4].has_value()) return "a restart needs both x_m and y_m, or a - for each";
+  if (words[2] == "-" && (values[3] || values[5])) return "the place of a restart needs its room";
+  if (!restarts.empty() && *values[1] < restarts.back().time_s) return "the time of a restart goes back";
+  if (!text::is_utf8(words[2])) return "room is not valid UTF-8";
+  LoggedRestart restart;
+  restart.time_s = *values[1];
+  if (words[2] != "-") restart.room = words[2];
+  if (values[3]) restart.position = Vec2{*values[3], *values[4]};
+  if (values[5]) restart.heading = wrap_angle(degrees(*values[5]));
+  restarts.push_back(std::move(restart));
   return std::nullopt;
 }
 
@@ -157,11 +194,26 @@ BeltConfig BeltHeader::apply_to(BeltConfig defaults) const noexcept {
   return defaults;
 }
 
+Result<Start> LoggedRestart::start_in(const Building& building) const {
+  Start start;
+  if (room.empty()) return start;
+  const auto found = std::find_if(building.rooms.begin(), building.rooms.end(), [&](const Room& r) { return r.id == room; });
+  if (found == building.rooms.end()) return Error{"the walk was started again in room " + room + ", which the building does not have"};
+  start.room = static_cast<RoomIndex>(found - building.rooms.begin());
+  start.position = position;
+  start.heading = heading;
+  return start;
+}
+
 Result<ScanLog> read_scan_log(const std::filesystem::path& file) {
   ScanLog log;
   Clock clock;
   csv::Handlers handlers;
-  handlers.comment = [&](std::string_view comment) { return read_belt_comment(comment, log.belt); };
+  handlers.comment = [&](std::string_view comment) {
+    auto problem = read_belt_comment(comment, log.belt);
+    return problem ? problem : read_restart(comment, log.restarts);
+  };
+  handlers.later_comment = [&](std::string_view comment) { return read_restart(comment, log.restarts); };
   handlers.row = [&](const csv::Row& row) {
     csv::reserve_next(log.firings);
     Problem problem = read_firing(row, log.belt, clock, log.firings.emplace_back());

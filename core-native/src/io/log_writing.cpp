@@ -1,3 +1,4 @@
+#include <optional>
 #include <span>
 
 #include "echoway/io/atomic_file.hpp"
@@ -27,6 +28,20 @@ class LogWriter {
     text_ += ' ';
     put(value, decimals);
     text_ += '\n';
+  }
+  void begin_comment(std::string_view key) {
+    text_ += "# ";
+    text_ += key;
+  }
+  void comment_word(std::string_view word) {
+    if (word.find_first_of(" \t\n\r") != std::string_view::npos) bad_ = true;
+    text_ += ' ';
+    text_ += word;
+  }
+  void comment_number(std::optional<double> value, int decimals) {
+    text_ += ' ';
+    if (value) put(*value, decimals);
+    else text_ += '-';
   }
   void header(std::span<const std::string_view> columns) {
     for (const std::string_view column : columns) word(column);
@@ -83,6 +98,25 @@ void write_belt(LogWriter& out, const BeltHeader& belt) {
   if (belt.temperature_c) out.comment("temperature_c", *belt.temperature_c, 2);
 }
 
+/// One comment line; old readers take it for prose.
+void write_restart(LogWriter& out, const LoggedRestart& restart) {
+  out.begin_comment("restart");
+  out.comment_number(restart.time_s, kTimeDecimals);
+  out.comment_word(restart.room.empty() ? "-" : restart.room);
+  out.comment_number(restart.position ? std::optional(restart.position->x) : std::nullopt, kLengthDecimals);
+  out.comment_number(restart.position ? std::optional(restart.position->y) : std::nullopt, kLengthDecimals);
+  out.comment_number(restart.heading ? std::optional(to_degrees(*restart.heading)) : std::nullopt, kAngleDecimals);
+  out.end_row();
+}
+
+void write_firing(LogWriter& out, const Firing& firing) {
+  out.number(firing.time_s, kTimeDecimals);
+  out.number(firing.sensor, 0);
+  if (firing.has_echo()) out.number(firing.range_m, kLengthDecimals);
+  else out.blank();
+  out.end_row();
+}
+
 void write_place(LogWriter& out, const TruthRow& row) {
   out.number(row.time_s, kTimeDecimals);
   out.word(row.room);
@@ -93,11 +127,10 @@ void write_place(LogWriter& out, const TruthRow& row) {
 
 template <class Rows, class WriteRow>
 Status write_rows(const std::filesystem::path& file, std::span<const std::string_view> columns, const Rows& rows,
-                  WriteRow write_row, const BeltHeader& belt = {}) {
+                  WriteRow write_row) {
   Result<AtomicFile> opened = AtomicFile::create(file);
   if (!opened) return opened.error();
   LogWriter out(std::move(opened).value(), file);
-  write_belt(out, belt);
   out.header(columns);
   for (const auto& row : rows) {
     write_row(out, row);
@@ -109,16 +142,18 @@ Status write_rows(const std::filesystem::path& file, std::span<const std::string
 }  // namespace
 
 Status write_scan_log(const ScanLog& log, const std::filesystem::path& file) {
-  const auto write_row = [](LogWriter& out, const Firing& firing) {
-    out.number(firing.time_s, kTimeDecimals);
-    out.number(firing.sensor, 0);
-    if (firing.has_echo()) {
-      out.number(firing.range_m, kLengthDecimals);
-    } else {
-      out.blank();
-    }
-  };
-  return write_rows(file, kScanColumns, log.firings, write_row, log.belt);
+  Result<AtomicFile> opened = AtomicFile::create(file);
+  if (!opened) return opened.error();
+  LogWriter out(std::move(opened).value(), file);
+  write_belt(out, log.belt);
+  out.header(kScanColumns);
+  auto restart = log.restarts.begin();
+  for (const Firing& firing : log.firings) {
+    for (; restart != log.restarts.end() && restart->time_s <= firing.time_s; ++restart) write_restart(out, *restart);
+    write_firing(out, firing);
+  }
+  for (; restart != log.restarts.end(); ++restart) write_restart(out, *restart);
+  return out.commit();
 }
 
 Status write_motion_log(const std::vector<MotionHint>& hints, const std::filesystem::path& file) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -51,6 +52,31 @@ TEST_F(Locate, WritesARowPerTwoPassesWithTheThesisMethod) {
   const ProcessResult result = locate({"--start", start_, "--method", "thesis"});
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(read_track_log(track_)->size(), read_scan_log(prefix_ + ".scans.csv")->firings.size() / 30);
+}
+
+TEST_F(Locate, StartsAgainWhereTheWearerSaid) {
+  const auto truth = read_truth_log(prefix_ + ".truth.csv");
+  auto log = read_scan_log(prefix_ + ".scans.csv");
+  const TruthRow& then = (*truth)[truth->size() / 2];
+  log->restarts.push_back({then.time_s, then.room, then.pose.position, then.pose.heading});
+  ASSERT_TRUE(write_scan_log(*log, prefix_ + ".scans.csv").ok());
+  // Told a wrong start, and the right place halfway.
+  const std::string wrong = then.room == "hall" ? "1" : "hall";
+  ASSERT_EQ(locate({"--start", wrong}).status, 0);
+  const auto track = read_track_log(track_);
+  const auto at = std::find_if(track->begin(), track->end(), [&](const TrackRow& r) { return r.where.time_s >= then.time_s + 0.5; });
+  ASSERT_NE(at, track->end());
+  EXPECT_EQ(at->where.room, then.room);
+  EXPECT_LT(distance(at->where.pose.position, then.pose.position), 1.5);
+}
+
+TEST_F(Locate, RefusesARestartInARoomThatIsNotThere) {
+  auto log = read_scan_log(prefix_ + ".scans.csv");
+  log->restarts.push_back({1.0, "nowhere", std::nullopt, std::nullopt});
+  ASSERT_TRUE(write_scan_log(*log, prefix_ + ".scans.csv").ok());
+  const ProcessResult result = locate({"--start", start_});
+  EXPECT_NE(result.status, 0);
+  EXPECT_NE(result.err.find("room nowhere"), std::string::npos) << result.err;
 }
 
 TEST_F(Locate, GivesTheSameBytesOnEveryRun) {

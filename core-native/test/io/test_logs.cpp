@@ -129,6 +129,49 @@ TEST_F(Logs, ALogOfAMillionRowsIsReadAndAnEndlessOneRefused) {
   EXPECT_THAT(scan_error(text), HasSubstr("f.csv:1500002: has more than 1500000 rows"));
 }
 
+TEST_F(Logs, ScansSayWhereTheWearerStartedAgain) {
+  const Result<ScanLog> log = scans(
+      "# restart the belt\n# restart -1 - - - -\ntime_s,sensor,range_m\n0,1,2\n# restart 0.5 hall 1.5 -2 450\n1,1,2\n"
+      "# restarted\n");
+  ASSERT_TRUE(log.ok()) << log.error().to_string();
+  EXPECT_EQ(log->firings.size(), 2U);
+  ASSERT_EQ(log->restarts.size(), 2U) << "anything else is prose";
+  EXPECT_EQ(log->restarts[0].room, "");
+  EXPECT_FALSE(log->restarts[0].position);
+  EXPECT_EQ(log->restarts[1].time_s, 0.5);
+  EXPECT_EQ(log->restarts[1].room, "hall");
+  EXPECT_EQ(log->restarts[1].position, (Vec2{1.5, -2.0}));
+  EXPECT_NEAR(*log->restarts[1].heading, degrees(90), 1e-9);
+}
+
+TEST_F(Logs, ScansSayWhichRestartMakesNoSense) {
+  const auto error = [&](std::string_view restart) {
+    return scan_error("time_s,sensor,range_m\n0,1,2\n# restart 3 a 1 1 0\n# restart " + std::string(restart) + "\n1,1,2\n");
+  };
+  EXPECT_THAT(error("now hall 1 2 3"), HasSubstr("f.csv:4: 'now' is no sensible number"));
+  EXPECT_THAT(error("4 hall 1e300 2 3"), HasSubstr("'1e300' is no sensible number"));
+  EXPECT_THAT(error("4 hall 1 - 3"), HasSubstr("both x_m and y_m"));
+  EXPECT_THAT(error("4 - 1 2 3"), HasSubstr("needs its room"));
+  EXPECT_THAT(error("- hall 1 2 3"), HasSubstr("needs its time"));
+  EXPECT_THAT(error("2 hall 1 2 3"), HasSubstr("goes back"));
+}
+
+TEST_F(Logs, WrittenRestartsAreReadBackThoughNothingFiresAfterThem) {
+  ScanLog log;
+  log.firings = {{0.0, 1, 2.0}, {1.0, 1, 2.0}};
+  log.restarts = {{0.5, "hall", Vec2{1.25, 2.0}, degrees(30)}, {2.0, "", std::nullopt, std::nullopt}};
+  const auto file = dir_.path() / "r.scans.csv";
+  ASSERT_TRUE(write_scan_log(log, file).ok());
+  const Result<ScanLog> back = read_scan_log(file);
+  ASSERT_TRUE(back.ok()) << back.error().to_string();
+  ASSERT_EQ(back->restarts.size(), 2U);
+  EXPECT_EQ(back->restarts[0].room, "hall");
+  EXPECT_EQ(back->restarts[0].position, log.restarts[0].position);
+  EXPECT_NEAR(*back->restarts[0].heading, degrees(30), 1e-6);
+  EXPECT_EQ(back->restarts[1].time_s, 2.0);
+  EXPECT_TRUE(back->restarts[1].room.empty());
+}
+
 TEST_F(Logs, WrittenScansAreReadBack) {
   ScanLog log;
   log.belt = {.sensors = 12, .radius_m = 0.14, .beam_rad = degrees(20), .slot_s = 0.05, .temperature_c = -21.5};

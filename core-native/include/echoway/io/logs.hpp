@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "echoway/belt/belt.hpp"
+#include "echoway/building/building.hpp"
 #include "echoway/geometry/pose2.hpp"
 #include "echoway/locate/estimate.hpp"
+#include "echoway/locate/locator.hpp"
 #include "echoway/motion/motion_hint.hpp"
 #include "echoway/result.hpp"
 
@@ -25,9 +27,21 @@ struct BeltHeader {
   [[nodiscard]] BeltConfig apply_to(BeltConfig defaults) const noexcept;
 };
 
+/// The wearer said where they stand, and the tracker started over there (`Session::restart`).
+struct LoggedRestart {
+  double time_s = 0.0;
+  std::string room;               ///< By id; blank: looked for everywhere.
+  std::optional<Vec2> position;   ///< In the room's frame.
+  std::optional<double> heading;  ///< The same, radians.
+
+  /// Where to start in `building`; fails when it has no such room.
+  [[nodiscard]] Result<Start> start_in(const Building& building) const;
+};
+
 struct ScanLog {
   BeltHeader belt;
-  std::vector<Firing> firings;  ///< In order of time.
+  std::vector<Firing> firings;          ///< In order of time,
+  std::vector<LoggedRestart> restarts;  ///< the same.
 };
 
 /// A row of a truth log or of a track; poses in the room's frame. Rooms are named by id, since a log stands alone.

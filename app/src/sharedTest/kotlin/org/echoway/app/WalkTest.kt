@@ -18,6 +18,7 @@ import kotlinx.coroutines.test.runCurrent
 import kotlinx.coroutines.test.runTest
 import org.echoway.app.belt.BeltEvent
 import org.echoway.app.belt.BeltSource
+import org.echoway.app.belt.LoggedRestart
 import org.echoway.app.belt.ReplayedBelt
 import org.echoway.app.belt.WalkLog
 import org.echoway.app.belt.WireSentence
@@ -171,6 +172,24 @@ class WalkTest {
         val line = walk.voice.heard.first { it.text == "Front left sensor blocked." }
         assertTrue("told at ${line.timeS} s", line.timeS in 7.0..9.0)
     }
+
+    @Test fun aRecordingStartsOverWhereItsWearerDid() = walking(
+        start = { Start(room = it.indexOf("hall")) }, // not where the walk begins
+        distort = { events -> events.transform { event ->
+            if (event is BeltEvent.Bytes && event.arrivalS >= 2.0 && !restarted) {
+                restarted = true
+                emit(BeltEvent.Restart(LoggedRestart(2.0, "nowhere", null, null)))
+                emit(BeltEvent.Restart(LoggedRestart(2.0, "1", null, null)))
+            }
+            emit(event)
+        } },
+    ) { walk ->
+        advanceTimeBy(8_000)
+        val state = walk.navigator.state.value as NavigationState.Running
+        assertEquals("1", state.building.plan.rooms[state.estimate.room].id)
+    }
+
+    private var restarted = false
 
     @Test fun theEstimateIsPublishedForEveryFiring() = walking { walk ->
         advanceTimeBy(3_000)

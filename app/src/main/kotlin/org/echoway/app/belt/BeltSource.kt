@@ -14,6 +14,9 @@ sealed interface BeltEvent {
     /** A motion hint that was recorded with the walk. */
     data class Motion(val hint: MotionHint) : BeltEvent
 
+    /** Where the wearer said, in a recording, that they stand. */
+    data class Restart(val restart: LoggedRestart) : BeltEvent
+
     /** The line is gone; the source waits for it to come back. */
     data object Detached : BeltEvent
 

@@ -20,13 +20,13 @@ class ReplayedBelt(private val clock: Clock, private val load: suspend () -> Wal
         emit(BeltEvent.Attached)
         var sequence = 0
         var statusDueS = Double.NEGATIVE_INFINITY
-        val hints = log.hints.iterator()
-        var hint = if (hints.hasNext()) hints.next() else null
+        val told = between(log, startS).iterator()
+        var next = if (told.hasNext()) told.next() else null
         for (firing in log.firings) {
-            while (hint != null && hint.timeS <= firing.timeS) {
-                waitUntil(startS + hint.timeS)
-                emit(BeltEvent.Motion(hint.copy(timeS = startS + hint.timeS)))
-                hint = if (hints.hasNext()) hints.next() else null
+            while (next != null && next.first <= firing.timeS) {
+                waitUntil(startS + next.first)
+                emit(next.second)
+                next = if (told.hasNext()) told.next() else null
             }
             waitUntil(startS + firing.timeS)
             if (firing.timeS >= statusDueS) {
@@ -36,6 +36,13 @@ class ReplayedBelt(private val clock: Clock, private val load: suspend () -> Wal
             emit(BeltEvent.Bytes(WireSentence.range(sequence++, firing.sensor, firing.rangeM), startS + firing.timeS))
         }
         emit(BeltEvent.Ended)
+    }
+
+    /** What happens between the firings, in order of time; where the wearer stands before how they move from there. */
+    private fun between(log: WalkLog, startS: Double): List<Pair<Double, BeltEvent>> {
+        val restarts = log.restarts.map { it.timeS to BeltEvent.Restart(it) }
+        val hints = log.hints.map { it.timeS to BeltEvent.Motion(it.copy(timeS = startS + it.timeS)) }
+        return (restarts + hints).sortedBy { it.first }
     }
 
     private suspend fun waitUntil(timeS: Double) {

@@ -4,12 +4,29 @@ import java.io.BufferedReader
 import java.io.IOException
 import org.echoway.core.MotionHint
 import org.echoway.core.MotionKind
+import org.echoway.core.Plan
+import org.echoway.core.Point
+import org.echoway.core.Start
 
 /** A firing as a scan log tells it; [rangeM] is null when nothing answered. */
 data class LoggedFiring(val timeS: Double, val sensor: Int, val rangeM: Double?)
 
-/** A recorded walk: firings and motion hints, each in order of time. */
-data class WalkLog(val sensors: Int, val firings: List<LoggedFiring>, val hints: List<MotionHint>) {
+/** Where the wearer said that they stand, in [room] by id; null: anywhere. */
+data class LoggedRestart(val timeS: Double, val room: String?, val at: Point?, val heading: Double?) {
+    /** In [plan], or null when that has no such room. */
+    fun startIn(plan: Plan): Start? {
+        val index = if (room == null) Plan.NO_ROOM else plan.rooms.indexOfFirst { it.id == room }
+        return if (room != null && index < 0) null else Start(index, at, heading)
+    }
+}
+
+/** A recorded walk: firings, motion hints and restarts, each in order of time. */
+data class WalkLog(
+    val sensors: Int,
+    val firings: List<LoggedFiring>,
+    val hints: List<MotionHint>,
+    val restarts: List<LoggedRestart> = emptyList(),
+) {
     companion object {
         const val DEFAULT_SENSORS = 15
 
@@ -20,15 +37,26 @@ data class WalkLog(val sensors: Int, val firings: List<LoggedFiring>, val hints:
          */
         fun read(scans: BufferedReader, motion: BufferedReader? = null): WalkLog {
             var sensors = DEFAULT_SENSORS
+            val restarts = mutableListOf<LoggedRestart>()
             val firings = rows(scans, onComment = { comment ->
                 Regex("sensors (\\d+)").matchEntire(comment)?.let { sensors = it.groupValues[1].toInt() }
+                restart(comment)?.let(restarts::add)
             }) { (time, sensor, range) ->
                 LoggedFiring(time.toDouble(), sensor.toInt(), range.ifEmpty { null }?.toDouble())
             }
             if (firings.isEmpty()) throw IOException("the log holds no firing")
             if (firings.any { it.sensor !in 0 until sensors }) throw IOException("the log names a sensor that its belt does not have")
             val hints = motion?.let { reader -> rows(reader) { (time, kind, value) -> hint(time.toDouble(), kind, value.toDouble()) } }
-            return WalkLog(sensors, firings, hints.orEmpty())
+            return WalkLog(sensors, firings, hints.orEmpty(), restarts)
+        }
+
+        /** `restart time_s room x_m y_m heading_deg`, a `-` where something was not said; any other comment is prose. */
+        private fun restart(comment: String): LoggedRestart? {
+            val words = comment.split(' ').filter { it.isNotEmpty() }
+            if (words.size != RESTART_WORDS || words[0] != "restart") return null
+            val (x, y, heading) = words.drop(3).map { word -> if (word == "-") null else word.toDouble() }
+            val at = if (x != null && y != null) Point(x, y) else null
+            return LoggedRestart(words[1].toDouble(), words[2].takeIf { it != "-" }, at, heading?.let(Math::toRadians))
         }
 
         private fun hint(timeS: Double, kind: String, value: Double) = when (kind) {
@@ -44,7 +72,7 @@ data class WalkLog(val sensors: Int, val firings: List<LoggedFiring>, val hints:
             reader.use { it.readText() }.wholeLines().let { lines ->
                 lines.forEachIndexed { index, line ->
                     when {
-                        line.startsWith("#") -> onComment(line.drop(1).trim())
+                        line.startsWith("#") -> numbered(index + 1, line) { onComment(line.drop(1).trim()) }
                         line.isBlank() -> Unit
                         header -> header = false
                         else -> rows += parsed(index + 1, line, row)
@@ -56,12 +84,17 @@ data class WalkLog(val sensors: Int, val firings: List<LoggedFiring>, val hints:
 
         private fun String.wholeLines() = if (endsWith('\n')) lines() else lines().dropLast(1)
 
-        private fun <T> parsed(number: Int, line: String, row: (List<String>) -> T): T = try {
+        private fun <T> parsed(number: Int, line: String, row: (List<String>) -> T): T = numbered(number, line) {
             row(line.trim().split(',').also { if (it.size < COLUMNS) throw NumberFormatException("too few columns") })
+        }
+
+        private fun <T> numbered(number: Int, line: String, read: () -> T): T = try {
+            read()
         } catch (e: NumberFormatException) {
             throw IOException("line $number: $line: ${e.message}", e)
         }
 
         private const val COLUMNS = 3
+        private const val RESTART_WORDS = 6
     }
 }

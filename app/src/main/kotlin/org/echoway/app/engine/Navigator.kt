@@ -21,6 +21,7 @@ import kotlinx.coroutines.withContext
 import org.echoway.app.Clock
 import org.echoway.app.belt.BeltEvent
 import org.echoway.app.belt.BeltSource
+import org.echoway.app.belt.LoggedRestart
 import org.echoway.app.building.InstalledBuilding
 import org.echoway.app.motion.MotionSource
 import org.echoway.core.CoreException
@@ -133,7 +134,7 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
                 is Wish.LeadTo -> session.setDestination(wish.destination, wish.preferences)
                 Wish.BackTrack -> session.backTrack()
                 Wish.StopLeading -> session.clearDestination()
-                is Wish.StandAt -> session.restart(wish.start)
+                is Wish.StandAt -> restart(wish.start)
             }
             when (wish) {
                 is Wish.LeadTo, Wish.BackTrack -> leading = wish
@@ -143,6 +144,14 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
                 Wish.WhereAmI, Wish.Repeat -> Unit
             }
         }
+
+        private fun restart(start: Start) {
+            session.restart(start)
+            witness?.onRestart(start, clock.nowS())
+        }
+
+        /** A room that this building does not have is no reason to stop playing. */
+        private fun replay(restart: LoggedRestart) = restart.startIn(building.plan)?.let { grant(Wish.StandAt(it)) }
 
         private suspend fun feedMotion(hints: Flow<MotionHint>) = hints.collect(::onMotion)
 
@@ -167,6 +176,10 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
                 }
                 is BeltEvent.Motion -> {
                     onMotion(event.hint)
+                    return
+                }
+                is BeltEvent.Restart -> {
+                    replay(event.restart)
                     return
                 }
                 BeltEvent.Attached -> moveTo(Line.OPEN) { session.onBeltAttached(clock.nowS()) }

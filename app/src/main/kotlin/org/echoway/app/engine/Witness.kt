@@ -3,6 +3,7 @@ package org.echoway.app.engine
 import org.echoway.core.Estimate
 import org.echoway.core.MotionHint
 import org.echoway.core.SensorHealth
+import org.echoway.core.Start
 
 /** Sees what goes through navigation, in order and on its thread. Must be quick. */
 interface Witness {
@@ -12,4 +13,7 @@ interface Witness {
     fun onMotion(hint: MotionHint)
 
     fun onEstimate(estimate: Estimate)
+
+    /** The wearer said where they stand, and the tracker starts over at [start]. */
+    fun onRestart(start: Start, timeS: Double)
 }

@@ -10,6 +10,7 @@ import org.echoway.core.MotionHint
 import org.echoway.core.MotionKind
 import org.echoway.core.Plan
 import org.echoway.core.SensorHealth
+import org.echoway.core.Start
 import org.echoway.core.TrackState
 
 /**
@@ -30,6 +31,7 @@ class Recorder(
     private var scans: LogFile? = null
     private var motion: LogFile? = null
     private var track: LogFile? = null
+    private val early = mutableListOf<String>() // restarts before the first firing
     private var newestS = DoubleArray(0)
     private var closed = false
 
@@ -39,8 +41,7 @@ class Recorder(
         for ((index, sensor) in fired) {
             newestS[index] = sensor.lastTimeS
             val time = since(sensor.lastTimeS)
-            val log = scans ?: open(Recordings.SCANS, listOf("# building $building", "# sensors ${sensors.size}", "time_s,sensor,range_m")).also { scans = it }
-            log.row(time, "${number(time)},$index,${sensor.lastRangeM?.let(::number).orEmpty()}")
+            scanLog(sensors.size).row(time, "${number(time)},$index,${sensor.lastRangeM?.let(::number).orEmpty()}")
         }
     }
 
@@ -64,10 +65,22 @@ class Recorder(
         log.row(time, "${number(time)},${room.id},${values.joinToString(",", transform = ::number)},${estimate.state.word}")
     }
 
+    /** A comment line among the firings, which whoever replays the walk obeys. */
+    override fun onRestart(start: Start, timeS: Double) = writing {
+        val time = since(timeS)
+        val room = plan.rooms.getOrNull(start.room)?.id
+        val values = listOf(start.at?.x, start.at?.y, start.heading?.let(Math::toDegrees))
+        val line = "# restart ${number(time)} ${room ?: "-"} ${values.joinToString(" ") { it?.let(::number) ?: "-" }}"
+        scans?.row(time, line) ?: early.add(line)
+    }
+
     override fun close() = writing {
         closed = true
         listOf(scans, motion, track).forEach { it?.close() }
     }
+
+    private fun scanLog(sensors: Int) =
+        scans ?: open(Recordings.SCANS, listOf("# building $building", "# sensors $sensors", "time_s,sensor,range_m") + early).also { scans = it }
 
     private fun open(kind: String, head: List<String>) = LogFile(File(folder, name + kind), head)
 

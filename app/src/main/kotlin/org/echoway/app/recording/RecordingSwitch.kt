@@ -9,6 +9,7 @@ import org.echoway.app.engine.Witness
 import org.echoway.core.Estimate
 import org.echoway.core.MotionHint
 import org.echoway.core.SensorHealth
+import org.echoway.core.Start
 
 /** Records a walk in [building] whenever that is wished for, each time under a new name. */
 class RecordingSwitch(private val recordings: Recordings, private val building: InstalledBuilding) : Witness {
@@ -36,5 +37,9 @@ class RecordingSwitch(private val recordings: Recordings, private val building: 
 
     override fun onEstimate(estimate: Estimate) {
         recorder?.onEstimate(estimate)
+    }
+
+    override fun onRestart(start: Start, timeS: Double) {
+        recorder?.onRestart(start, timeS)
     }
 }

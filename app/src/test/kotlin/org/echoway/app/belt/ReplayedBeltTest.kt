@@ -36,4 +36,12 @@ class ReplayedBeltTest {
         assertTrue(arrivals.zipWithNext().all { (a, b) -> a <= b })
         assertEquals(0.5, (events[hint + 1] as BeltEvent.Bytes).arrivalS, 1e-9)
     }
+
+    @Test fun theWearersWordOfWhereTheyStandComesInItsPlace() = runTest {
+        val restart = LoggedRestart(10.2, "4", null, null)
+        val events = ReplayedBelt(VirtualClock(testScheduler)) { log.copy(restarts = listOf(restart)) }.events.toList()
+        val at = events.indexOf(BeltEvent.Restart(restart))
+        assertTrue(events[at - 1] is BeltEvent.Bytes)
+        assertTrue("before the step that follows it", events[at + 1] is BeltEvent.Motion)
+    }
 }

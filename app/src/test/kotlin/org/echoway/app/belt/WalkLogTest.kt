@@ -2,6 +2,7 @@ package org.echoway.app.belt
 
 import java.io.IOException
 import org.echoway.core.MotionKind
+import org.echoway.core.Point
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertNull
 import org.junit.Assert.assertThrows
@@ -18,6 +19,13 @@ class WalkLogTest {
         assertNull(log.firings[1].rangeM)
         assertEquals(MotionKind.STEP, log.hints[0].kind)
         assertEquals(Math.PI / 2, log.hints[1].value, 1e-12)
+    }
+
+    @Test fun readsWhereTheWearerSaidThatTheyStand() {
+        val log = read("# restart the belt\ntime_s,sensor,range_m\n0.0,0,1.5\n# restart 0.03 hall 1.5 2 90\n0.06,2,\n# restart 0.07 - - - -\n")
+        assertEquals(listOf(LoggedRestart(0.03, "hall", Point(1.5, 2.0), Math.PI / 2), LoggedRestart(0.07, null, null, null)), log.restarts)
+        val error = assertThrows(IOException::class.java) { read("time_s,sensor,range_m\n0.0,0,1.5\n# restart now hall 1 2 3\n") }
+        assertTrue(error.message, error.message!!.startsWith("line 3: # restart now"))
     }
 
     @Test fun saysWhichLineIsBroken() {

@@ -13,8 +13,10 @@ import org.echoway.app.belt.WalkLog
 import org.echoway.app.testing.SamplePlan
 import org.echoway.core.MotionHint
 import org.echoway.core.MotionKind
+import org.echoway.core.Point
 import org.echoway.core.SensorHealth
 import org.echoway.core.SensorState
+import org.echoway.core.Start
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertNull
 import org.junit.Assert.assertTrue
@@ -64,6 +66,19 @@ class RecordingsTest {
         val log = WalkLog.read(file(".scans.csv").bufferedReader(), file(".motion.csv").bufferedReader())
         assertEquals(listOf(1.5, null), log.firings.map { it.rangeM })
         assertEquals(listOf(MotionKind.STEP, MotionKind.YAW_RATE), log.hints.map { it.kind })
+    }
+
+    @Test fun whereTheWearerSaidThatTheyStandIsReadBackInItsPlace() {
+        val recorder = recordings.start(SamplePlan.building)!!
+        recorder.onRestart(Start(), 99.9)
+        walk(recorder)
+        recorder.onRestart(Start(1, Point(2.0, 3.0), Math.PI / 2), 100.0624)
+        recorder.onFirings(listOf(sensor(100.1248, 1.4), sensor(100.0624, null), sensor(-1.0, null)))
+        recordings.stop(recorder)
+        val log = WalkLog.read(file(".scans.csv").bufferedReader())
+        assertEquals(3, log.firings.size)
+        assertEquals(listOf(0.0, 0.1624), log.restarts.map { it.timeS })
+        assertEquals(listOf(Start(), Start(1, Point(2.0, 3.0), Math.toRadians(90.0))), log.restarts.map { it.startIn(SamplePlan.plan) })
     }
 
     @Test fun afterACrashTheWalkIsThereButForTheLastSecond() {
