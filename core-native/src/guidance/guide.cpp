@@ -36,6 +36,7 @@ struct Guide::Impl {
   void be_found();
   void lead();
   void tell_obstacle();
+  [[nodiscard]] bool stands_where_obstacle_was_told() const;
   [[nodiscard]] bool position_usable() const { return guidance::is_place(router->building(), estimate); }
   [[nodiscard]] bool is_sure() const { return certainty.level() == Certainty::Level::sure; }
   [[nodiscard]] bool is_lost() const { return certainty.level() == Certainty::Level::lost; }
@@ -57,6 +58,7 @@ struct Guide::Impl {
   guidance::Breadcrumbs crumbs;
   Estimate estimate{};
   double obstacle_told = -1e300;
+  Estimate told_at{};        ///< Where the wearer was then.
   double obstacle_m = -1.0;  ///< Of what is in the way now.
   bool belt_lost = false;
 };
@@ -134,7 +136,7 @@ void Guide::Impl::restart() {
   climbing.clear();
   rooms.clear();
   crumbs.clear();
-  estimate = {};
+  estimate = told_at = {};
   obstacle_told = -1e300;
   obstacle_m = -1.0;
 }
@@ -204,6 +206,14 @@ void Guide::Impl::be_found() {
   rooms.was_told(estimate.room);
 }
 
+/// Nothing has changed then: who stands before a thing knows of it.
+bool Guide::Impl::stands_where_obstacle_was_told() const {
+  constexpr double kMoved = 0.4;  // metres
+  constexpr double kTurned = degrees(25.0);
+  return estimate.room == told_at.room && distance(estimate.pose.position, told_at.pose.position) < kMoved &&
+         std::abs(wrap_angle(estimate.pose.heading - told_at.pose.heading)) < kTurned;
+}
+
 void Guide::Impl::tell_obstacle() {
   const double now = estimate.time_s;
   if (!is_sure()) return;
@@ -212,13 +222,14 @@ void Guide::Impl::tell_obstacle() {
   const auto thing = obstacles.nearest(estimate, reach);
   if (!thing.present) return;
   obstacle_m = thing.distance_m;
-  if (now - obstacle_told < config.repeat_gap_s) return;
+  if (now - obstacle_told < config.repeat_gap_s || stands_where_obstacle_was_told()) return;
   Cue cue = make_cue(CueKind::obstacle);
   cue.direction = thing.direction;
   cue.has_direction = true;
   cue.distance_m = thing.distance_m;
   if (!voice.offer(cue, now)) return;
   obstacle_told = now;
+  told_at = estimate;
   follower.note_feeling(cue, estimate);
 }
 

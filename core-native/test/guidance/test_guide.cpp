@@ -413,6 +413,15 @@ TEST_F(GuideTest, RepeatsTheLastInstructionWhenAsked) {
   EXPECT_THAT(kinds(wearer.stand(3.0, 0, {1, 2.5}, 90.0)), Contains(CueKind::turn));
 }
 
+TEST_F(GuideTest, AThingIsNotToldAgainToWhoStandsBeforeIt) {
+  const auto before = [&](double seconds, const Estimate& pose) {
+    return wearer.hear(seconds, pose, [](double bearing) { return std::abs(bearing) < 0.1 ? 0.9 : Firing::kNoEcho; });
+  };
+  EXPECT_THAT(kinds(before(30.0, at(0, 0, {2, 2}, 0.0))), Contains(CueKind::obstacle).Times(1));
+  EXPECT_THAT(kinds(before(12.0, at(0, 0, {2.05, 2}, 5.0))), Not(Contains(CueKind::obstacle)));
+  EXPECT_THAT(kinds(before(12.0, at(0, 0, {2, 2}, 90.0))), Contains(CueKind::obstacle)) << "another one";
+}
+
 TEST_F(GuideTest, WhoAsksAgainAfterTheyHaveTurnedHearsWhatIsNext) {
   ASSERT_TRUE(guide.set_destination("Lectern"));
   EXPECT_THAT(kinds(wearer.stand(2.0, 0, {1, 2.5}, 90.0)), Contains(CueKind::turn));
