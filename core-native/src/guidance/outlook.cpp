@@ -36,6 +36,13 @@ bool is_free(const FreeSpace& space, Vec2 at, Vec2 then, double blur, double dri
   });
 }
 
+/// Nobody stands in a wall or behind it, where a position that errs may be: the nearest place in the room then.
+Pose2 in_room(const Router& router, const Estimate& e) noexcept {
+  const FreeSpace& space = router.space(e.room);
+  if (space.contains(e.pose.position)) return e.pose;
+  return {space.settle(e.pose.position, kShoulder), e.pose.heading};
+}
+
 }  // namespace
 
 Outlook::Approach Outlook::approach(const View& view, const Cue& cue, const Demand& demand) const noexcept {
@@ -49,7 +56,7 @@ Outlook::Approach Outlook::approach(const View& view, const Cue& cue, const Dema
 }
 
 bool Outlook::clear_of_walls(const View& view, const Approach& way, double direction, const Demand& demand) const noexcept {
-  const StraightWalk walk(*router_, view.estimate->room, view.estimate->pose, config_->body_m);
+  const StraightWalk walk(*router_, view.estimate->room, in_room(*router_, *view.estimate), config_->body_m);
   const double drift = direction == 0.0 ? 0.0 : std::sin(way.wobble);  // who goes on anyhow is no worse off than they were
   // All the way there too: somebody who touches a wall meanwhile stands still and does it where they are.
   const int stops = 1 + static_cast<int>(std::ceil(way.latest / kStops));
@@ -65,7 +72,7 @@ bool Outlook::clear_of_walls(const View& view, const Approach& way, double direc
 }
 
 bool Outlook::clear_of_things(const View& view, const Approach& way, double direction, const Demand& demand) const noexcept {
-  const StraightWalk walk(*router_, view.estimate->room, view.estimate->pose, config_->body_m);
+  const StraightWalk walk(*router_, view.estimate->room, in_room(*router_, *view.estimate), config_->body_m);
   const double needed = std::min(demand.free_m, kFaceThing);
   const double play = way.latest - way.due;
   for (const double on : {way.due - play, way.due + play, 0.0}) {

@@ -43,6 +43,11 @@ TEST_F(OutlookTest, LessIsSureTheLessThePositionIs) {
   EXPECT_TRUE(clear(at({0.7, 2.5}, 180.0, 0.12), 180.0)) << "but not behind";
 }
 
+TEST_F(OutlookTest, APositionBehindAWallIsTakenToBeBeforeIt) {
+  EXPECT_FALSE(clear(at({-0.05, 1.0}, 90.0), 90.0)) << "the wall is on the left";
+  EXPECT_TRUE(clear(at({-0.05, 1.0}, 90.0), -90.0));
+}
+
 TEST_F(OutlookTest, LessIsSureTheLessTheHeadingIs) {
   Estimate e = at({2.5, 0.32}, 0.0);  // along a wall
   EXPECT_TRUE(clear(e, 0.0));
