@@ -10,7 +10,7 @@ namespace echoway::tracker {
 /// firings at each; what can be seen in a direction is worked out once for all of them.
 class Panorama {
  public:
-  static constexpr int kDirections = 45;   ///< 8 degrees apart: finer than the beam and than the headings tried.
+  static constexpr int kDirections = 30;   ///< 12 degrees apart, as the headings tried, and half of what sensors are.
 
   /// Looks from `position` in `room` from now on; nothing is worked out yet.
   void stand_at(RoomIndex room, Vec2 position) noexcept;

@@ -36,7 +36,7 @@ class Search {
     double spacing = 0.36;               ///< Metres between positions; less where there is little floor to search, ...
     double closest_spacing = 0.18;       ///< ... down to this, as long as there are no more candidates than ...
     double few_candidates = 60000;       ///< ... so many.
-    double heading_step = degrees(10.0);
+    double heading_step = degrees(12.0);  ///< Half the angle between sensors, as a panorama's directions.
     double give_up = 13.0;               ///< Log likelihood behind the best at the same firing.
     std::size_t keep = 4000;             ///< Survivors of the sweep.
     std::size_t refined = 2400;          ///< Particles drawn from them ...
@@ -97,6 +97,7 @@ class Search {
     bool echo = false;
   };
   void reckon(const SearchTools& tools) noexcept;
+  void put_echoes_first() noexcept;
   [[nodiscard]] double log_likelihood(const SearchTools& tools, const Leg& leg, const SinCos& facing, double heading) noexcept;
   [[nodiscard]] std::size_t try_candidate(const SearchTools& tools, Vec2 position, double heading) noexcept;
   void keep(const Survivor& survivor) noexcept;
