@@ -55,6 +55,7 @@ constexpr Part kParts[] = {
     {"a resting sensor counted once", &TrackerParts::novelty},
     {"estimated speed of sound", &TrackerParts::sound_speed},
     {"search when echoes fit badly", &TrackerParts::recovery},
+    {"places apart kept", &TrackerParts::modes},
     {"proof of what was found", &TrackerParts::probation},
 };
 

@@ -15,6 +15,9 @@ namespace {
 constexpr std::size_t kParticlesPerCell = 14;     // While several places are possible.
 constexpr std::size_t kSettledCells = 10;         // A belief this narrow takes the tracking number of particles.
 constexpr double kStairwellShare = 0.80;          // Or neither: it is not known what answers there.
+constexpr double kShareBetween = 0.15;            // Of the evidence between places that lie apart: what stands in no plan speaks
+                                                  // for one of two alike as long as it is heard. Without a gyroscope every
+constexpr double kShareBetweenBlind = 0.5;        // turn that a particle tries makes a place, and must be over soon.
 constexpr double kUnhurried = 0.6;                // m/s; who walks faster goes farther between two looks of a sensor.
 constexpr double kNarrow = 0.15;                  // Metres: a place known so well takes the fewest particles,
 constexpr double kMostNeeded = 2.5;               // another one so many times as many at most.
@@ -150,6 +153,7 @@ BayesLocator::Core::Verdict BayesLocator::Core::update(Population& population, c
   double plan = 0.0;
   double before = 0.0;
   const double anywhere = record.trust > 0.0 ? fit_.anywhere(record.echo, record.range) : 1.0;
+  population.weigh_modes();
   const Stride stride(record.interval, motion_, pace_);
   for (Particle& p : population.particles()) {
     stride.advance(p, random_);
@@ -175,6 +179,7 @@ BayesLocator::Core::Verdict BayesLocator::Core::update(Population& population, c
     }
     p.weight *= settle_on_floor(p, scene_);
   }
+  population.temper_modes(gyro_ ? kShareBetween : kShareBetweenBlind);
   population.normalize();
   if (!(before > 0.0)) return {};
   return {fast_log(plan) - fast_log(before), mapped / before};
@@ -211,13 +216,14 @@ void BayesLocator::Core::remember(const Record& record) {
   memory_.note(estimate_.room, estimate_.pose.position + reach * axis, unmapped_, estimate_.time_s);
 }
 
+// The belief keeps every place that is possible; a rival stands for one.
 void BayesLocator::Core::thin_out(Population& population) {
   const double need = std::clamp(std::max(pace_ / kUnhurried, estimate_.sigma_m / kNarrow), 1.0, kMostNeeded);
   const auto settled = static_cast<std::size_t>(gyro_ ? need * options_.particles : options_.particles_without_gyroscope);
-  const double n = static_cast<double>(population.size());
-  const bool shrink = population.size() > settled + settled / 4;
-  const double effective = population.effective_size();
-  if (effective > 0.5 * n && !(shrink && history_.end() % 4 == 0)) return;
+  const std::size_t size = population.main_size();
+  const bool shrink = size > settled + settled / 4;
+  const bool worn = population.least_effective_share() <= 0.5;
+  if (!worn && !(shrink && history_.end() % 4 == 0)) return;
   const std::size_t cells = population.occupied_cells();
   std::size_t target = settled;
   if (away_ > kPerhapsAway) target = std::max(target, kAwayParticles);
@@ -226,8 +232,12 @@ void BayesLocator::Core::thin_out(Population& population) {
   const bool silent = echoes_since(history_.end() - std::min(history_.end(), kSilence)) == 0;
   if (silent && away_ <= kPerhapsAway) target = std::min(target, kDeafParticles);
   target = std::min(target, population.capacity());
-  if (effective > 0.5 * n && target >= population.size()) return;
-  population.resample(target, random_);
+  if (!worn && target >= size) return;
+  if (options_.parts.modes && &population == &main_) {
+    modes_.resample(population, summary_, building_, target, !gyro_, random_);
+  } else {
+    population.resample(target, random_);
+  }
 }
 
 int BayesLocator::Core::echoes_since(std::uint64_t firing) const {
@@ -247,6 +257,8 @@ void BayesLocator::Core::conclude(double time_s) {
   log_scale_sigma_ = std::max(summary_.log_scale_sigma, kLeastScaleSigma);
   if (!links_.none()) see_who_is_away();
   estimate_.state = state();
+  explained_ = fit_.doubtful() || unconfirmed_ > 0 ? 0 : explained_ + 1;
+  if (explained_ > kConfirmed) fruitless_ = 0;
   if (unconfirmed_ > 0) unconfirmed_ = fit_.doubtful() ? kConfirmed : unconfirmed_ - (estimate_.state == TrackState::tracking);
 }
 

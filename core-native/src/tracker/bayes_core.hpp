@@ -11,6 +11,7 @@
 #include "tracker/history.hpp"
 #include "tracker/level_links.hpp"
 #include "tracker/likelihood.hpp"
+#include "tracker/modes.hpp"
 #include "tracker/motion.hpp"
 #include "tracker/novelty.hpp"
 #include "tracker/population.hpp"
@@ -101,6 +102,7 @@ class BayesLocator::Core {
   tracker::MotionParameters motion_;
   Random random_;
   tracker::Population main_;
+  tracker::Modes modes_;
   tracker::Rival rival_;
   tracker::Search search_;
   tracker::SensorHealth health_;
@@ -130,6 +132,7 @@ class BayesLocator::Core {
   double log_scale_ = 0.0;
   double log_scale_sigma_ = 0.0;
   int fruitless_ = 0;               ///< Searches in a row that found nothing, each wider than the one before.
+  int explained_ = 0;               ///< Firings in a row that a place taken for granted has explained well.
   int unconfirmed_ = 0;             ///< Firings that a place which a search found must yet explain to be taken for granted.
   std::uint64_t searches_ = 0;      ///< Recovery searches so far.
   std::uint64_t last_search_ = 0;   ///< End of the history when it ended; 0: none yet.

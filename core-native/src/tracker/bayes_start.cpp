@@ -45,6 +45,7 @@ BayesLocator::Core::Core(const Building& building, const BeltConfig& belt, const
       motion_(motion_parameters(options.parts)),
       random_(options.seed),
       main_(kCapacity),
+      modes_(kCapacity, Modes::Parameters{}),
       rival_(kRivalCapacity),
       search_(scene_, Search::Parameters{}),
       health_(belt.sensors),

@@ -40,6 +40,8 @@ void Population::swap(Population& other) noexcept {
   scratch_.swap(other.scratch_);
   table_.swap(other.table_);
   std::swap(count_, other.count_);
+  modes_.swap(other.modes_);
+  std::swap(mode_count_, other.mode_count_);
 }
 
 double Population::normalize() noexcept {
@@ -58,6 +60,46 @@ double Population::effective_size() const noexcept {
   double squares = 0.0;
   for (const Particle& p : particles()) squares += p.weight * p.weight;
   return squares > 0.0 ? 1.0 / squares : 0.0;
+}
+
+double Population::weight_of(const Mode& mode) const noexcept {
+  double sum = 0.0;
+  for (std::size_t i = mode.begin; i < mode.end; ++i) sum += particles_[i].weight;
+  return sum;
+}
+
+double Population::least_effective_share() const noexcept {
+  if (mode_count_ == 0) return effective_size() / static_cast<double>(count_);
+  double least = 1.0;
+  for (const Mode& mode : modes()) {
+    double sum = 0.0, squares = 0.0;
+    for (std::size_t i = mode.begin; i < mode.end; ++i) {
+      sum += particles_[i].weight;
+      squares += particles_[i].weight * particles_[i].weight;
+    }
+    if (squares > 0.0) least = std::min(least, sum * sum / (squares * static_cast<double>(mode.end - mode.begin)));
+  }
+  return least;
+}
+
+std::size_t Population::main_size() const noexcept {
+  if (mode_count_ == 0) return count_;
+  const auto heaviest = std::ranges::max_element(modes(), {}, [&](const Mode& mode) { return weight_of(mode); });
+  return heaviest->end - heaviest->begin;
+}
+
+void Population::weigh_modes() noexcept {
+  for (std::size_t m = 0; m < mode_count_; ++m) modes_[m].weight = weight_of(modes_[m]);
+}
+
+void Population::temper_modes(double share) noexcept {
+  if (mode_count_ < 2) return;
+  for (const Mode& mode : modes()) {
+    const double weight = weight_of(mode);
+    if (!(weight > 0.0) || !(mode.weight > 0.0)) continue;
+    const double back = fast_exp((share - 1.0) * fast_log(weight / mode.weight));
+    for (std::size_t i = mode.begin; i < mode.end; ++i) particles_[i].weight *= back;
+  }
 }
 
 std::size_t Population::occupied_cells() noexcept {
@@ -102,6 +144,42 @@ void Population::resample(std::size_t target, Random& random) noexcept {
   }
   particles_.swap(scratch_);
   count_ = target;
+  mode_count_ = 0;
+}
+
+void Population::resample(std::span<const std::uint8_t> mode_of, std::span<const std::size_t> targets, Random& random) noexcept {
+  std::size_t made = 0;
+  mode_count_ = 0;
+  for (std::size_t m = 0; m < targets.size(); ++m) {
+    const std::size_t begin = made;
+    made += draw_mode(mode_of, m, std::min(targets[m], particles_.size() - made), {scratch_.data() + made, particles_.size() - made}, random);
+    if (made > begin) modes_[mode_count_++] = {begin, made, 0.0};
+  }
+  if (made == 0) return;
+  particles_.swap(scratch_);
+  count_ = made;
+  normalize();
+}
+
+// Systematic resampling of the particles of one mode to the front of `out`; returns how many.
+std::size_t Population::draw_mode(std::span<const std::uint8_t> mode_of, std::size_t mode, std::size_t target,
+                                  std::span<Particle> out, Random& random) const noexcept {
+  double weight = 0.0;
+  for (std::size_t i = 0; i < count_; ++i) weight += mode_of[i] == mode ? particles_[i].weight : 0.0;
+  if (!(weight > 0.0) || target == 0) return 0;
+  const double step = weight / static_cast<double>(target);
+  double at = random.uniform() * step;
+  double reached = 0.0;
+  std::size_t made = 0, last = 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (mode_of[i] != mode) continue;
+    last = i;
+    reached += particles_[i].weight;
+    for (; made < target && at < reached; at += step) out[made++] = particles_[i];
+  }
+  while (made < target) out[made++] = particles_[last];   // Rounding may leave the last one's share out.
+  for (Particle& p : out.first(made)) p.weight = step;
+  return made;
 }
 
 }  // namespace echoway::tracker

@@ -10,6 +10,8 @@ namespace echoway::tracker {
 namespace {
 
 constexpr std::uint64_t kRound = 12;              // Firings between looks at the weights.
+constexpr double kNewShare = 0.5;                 // Of the evidence replayed: what stands in no plan is heard again and again,
+                                                  // and whichever of thousands of places it fits would drive out the right one.
 constexpr std::size_t kParticlesPerCell = 14;
 constexpr std::size_t kFewest = 400;
 constexpr double kSpread = degrees(1.0);          // Radians by which copies of a particle part.
@@ -25,7 +27,7 @@ Shot shot_of_past(const Record& record, const BeltConfig& belt) noexcept {
 // Replays one firing; no `stride` when the way since the firing before does not count.
 void replay(Particle& p, const Record& record, const Shot& shot, const Stride* stride, const SearchTools& tools, Random& random) noexcept {
   if (stride != nullptr) stride->advance(p, random);
-  if (record.trust > 0.0) p.weight *= tempered(assimilate(p, shot, tools.model, tools.scene).density, record.novelty);
+  if (record.trust > 0.0) p.weight *= tempered(assimilate(p, shot, tools.model, tools.scene).density, kNewShare * record.novelty);
   p.weight *= std::max(1e-9, settle_on_floor(p, tools.scene));
 }
 
@@ -69,7 +71,7 @@ bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budg
 void Refinement::close_round(Random& random) noexcept {
   reached_ = round_end_;
   cursor_ = 0;
-  log_evidence_ += fast_log(population_.normalize());
+  log_evidence_ += fast_log(population_.normalize()) / kNewShare;
   const double n = static_cast<double>(population_.size());
   if (population_.effective_size() > 0.5 * n) return;
   population_.resample(std::clamp(kParticlesPerCell * population_.occupied_cells(), kFewest, population_.size()), random);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -74,6 +75,32 @@ TEST(BayesLocator, FindsAWearerOfWhomNothingIsKnown) {
     RecordProperty("mean_m_" + std::to_string(seed), std::to_string(score.mean_m));
   }
   EXPECT_GE(found, 3 * kWalks / 4);
+}
+
+// A rectangle looks the same both ways round, for as long as one walks about in it.
+TEST(BayesLocator, KeepsBothPlacesOfASymmetricRoomInMind) {
+  constexpr double kKnown = 5.0;   // Seconds after which a first search has ended.
+  Building building;
+  building.rooms.push_back(test::room_from_outline("hall", {{0, 0}, {8, 0}, {8, 3}, {0, 3}}));
+  int firings = 0, kept = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const auto walk = walk_through(building, seed, 30.0);
+    BayesLocator locator(building, {}, {});
+    const auto holds = [&](Vec2 place) {
+      return std::ranges::any_of(locator.hypotheses(), [&](const Hypothesis& h) { return distance(h.pose.position, place) < 0.6; });
+    };
+    std::size_t hint = 0;
+    for (std::size_t i = 0; i < walk.scans.firings.size(); ++i) {
+      const Firing& firing = walk.scans.firings[i];
+      while (hint < walk.motion.size() && walk.motion[hint].time_s <= firing.time_s) locator.on_motion(walk.motion[hint++]);
+      locator.on_firing(firing);
+      if (firing.time_s < kKnown) continue;
+      const Vec2 here = walk.truth[i].pose.position;
+      kept += holds(here) && holds(Vec2{8.0, 3.0} - here) ? 1 : 0;
+      ++firings;
+    }
+  }
+  EXPECT_GT(kept, firings * 3 / 4);
 }
 
 TEST(BayesLocator, TakesTheFirstBearingsOfAnUnknownWearerFromTheirCompass) {

@@ -16,6 +16,7 @@ struct TrackerParts {
   bool memory = true;            ///< Unmapped furniture is remembered.
   bool novelty = true;           ///< A resting sensor's evidence counts once.
   bool sound_speed = true;       ///< The scale of ranges is estimated.
+  bool modes = true;             ///< Places that lie apart are followed for as long as they are possible.
   bool recovery = true;          ///< Other places are searched when the echoes fit badly.
   bool probation = true;         ///< What was found must prove itself before it is believed.
 };
