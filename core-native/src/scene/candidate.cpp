@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/visibility.hpp"
+
 namespace echoway::scene {
 namespace {
 
@@ -24,8 +26,10 @@ bool wall_candidate(const Reflector& r, const Box& box, const SightLimits& limit
     low -= aside;
     high += aside;
   }
-  if (high < 0.0 || low > r.length) return false;
-  out.feet = {r.a + std::max(low, 0.0) * r.tangent(), r.a + std::min(high, r.length) * r.tangent()};
+  constexpr double kBefore = -kCoarseWallEndSoftness;
+  const double beyond = r.length + kCoarseWallEndSoftness;
+  if (high < kBefore || low > beyond) return false;
+  out.feet = {r.a + std::max(low, kBefore) * r.tangent(), r.a + std::min(high, beyond) * r.tangent()};
   return out.nearest <= limits.max_range;
 }
 

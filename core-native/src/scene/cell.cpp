@@ -1,13 +1,17 @@
 #include "scene/cell.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <numeric>
+#include <optional>
 
 #include "scene/visibility.hpp"
 
 namespace echoway::scene {
 namespace {
+
+// Numbers of occluders that the lists of a cell's entries may take, apart from one of all.
+constexpr std::size_t kMaxListed = 8192;
 
 // One blocking piece that cuts off every corner of the box from both ends of the feet cuts off everything in between.
 bool blocks_all(const Segment& s, const Box& box, const Segment& feet) noexcept {
@@ -17,6 +21,15 @@ bool blocks_all(const Segment& s, const Box& box, const Segment& feet) noexcept 
     }
   }
   return true;
+}
+
+// Where the way from a wall to a corner that it mirrors may lead: it begins kSightClearance before the wall.
+std::array<Vec2, 5> ways_from_mirror(const Segment& feet, const Reflector& corner) noexcept {
+  const Vec2 before = kSightClearance / distance(corner.a, corner.b) * (corner.b - corner.a);
+  const Vec2 aside = dot(feet.direction(), perpendicular(before)) < 0.0 ? -perpendicular(before) : perpendicular(before);
+  const Vec2 begin = feet.a - aside;
+  const Vec2 end = feet.b + aside;
+  return {begin, end, begin + before, end + before, corner.b};
 }
 
 // Directions from the box to the feet, as [begin, begin + width).
@@ -58,96 +71,135 @@ std::uint32_t sectors_near(const Arc& arc, double reach) noexcept {
   return mask;
 }
 
-struct Reach {
-  std::uint32_t sharp = 0;   // Sectors from which the beam reaches an entry,
-  std::uint32_t coarse = 0;  // and from which it does where headings are on a coarse grid.
-};
-
-Reach reach_of(const Reflector& r, const Candidate& c, const Box& box, const SightLimits& limits) noexcept {
-  const Arc arc = directions(r, c, box);
-  if (r.kind == ReflectorKind::all_reflective) {
-    const std::uint32_t sectors = sectors_near(arc, limits.all_reflective_cut_off_rad);
-    return {sectors, sectors};
-  }
-  const double rough = r.kind == ReflectorKind::wall && may_be_rough(c, limits) ? limits.rough_cut_off_rad : 0.0;
-  return {sectors_near(arc, std::max(limits.sharp_cut_off_rad, rough)), sectors_near(arc, std::max(limits.cut_off_rad, rough))};
-}
-
-void fill_sectors(const RoomScene& room, const std::vector<Candidate>& seen, const Box& box, const SightLimits& limits, Cell& cell) {
-  std::array<Reach, Cell::kMaxEntries> reaches;
-  std::size_t count = 0;
-  // Where there is no room for all, the farthest are left out of every sector, not everything of the last ones.
-  for (std::size_t items = 0; count < seen.size(); ++count) {
-    reaches[count] = reach_of(room.reflectors[seen[count].reflector], seen[count], box, limits);
-    items += static_cast<std::size_t>(std::popcount(reaches[count].coarse));
-    if (items > Cell::kMaxItems) break;
-  }
-  std::uint16_t used = 0;
-  for (std::size_t s = 0; s < Cell::kSectors; ++s) {
-    cell.sector_begin[s] = used;
-    for (std::size_t i = 0; i < count; ++i) {
-      if ((reaches[i].coarse >> s & 1U) == 0) continue;
-      const bool sharp = (reaches[i].sharp >> s & 1U) != 0;
-      cell.items[used++] = static_cast<std::uint8_t>(i | (sharp ? 0U : Cell::kCoarseOnly));
-    }
-  }
-  cell.sector_begin[Cell::kSectors] = used;
-}
-
 }  // namespace
 
-void compile_cell(const RoomScene& room, Vec2 low, Vec2 high, const SightLimits& limits, CellScratch& scratch,
-                  Cell& cell) {
-  const Box box = make_box(low, high);
-  std::vector<Candidate>& seen = scratch.seen;
-  std::vector<std::uint16_t>& between = scratch.between;
-  seen.clear();
-  for (std::size_t i = 0; i < room.reflectors.size(); ++i) {
-    const Reflector& r = room.reflectors[i];
-    Candidate c;
-    if (!may_answer(room, i, box, limits, c)) continue;
-    const auto through_door = [&] {
-      const Opening& door = room.openings[static_cast<std::size_t>(r.opening)];
-      return distance_to_box(door.centre, box) < kInDoorway ||
-             ways_may_touch(box, c.feet, door.span());
-    };
-    if (r.opening >= 0 && !through_door()) continue;
-    seen.push_back(c);
-  }
-  std::sort(seen.begin(), seen.end(), [](const Candidate& a, const Candidate& b) {
-    return a.nearest != b.nearest ? a.nearest < b.nearest : a.reflector < b.reflector;
-  });
+CellScratch::CellScratch(std::size_t reflectors, std::size_t occluders) {
+  reaches_.reserve(reflectors);
+  between_.reserve(occluders);
+  entries_.reserve(reflectors);
+  items_.reserve(reflectors * Cell::kSectors);
+  occluders_.reserve(kMaxListed + occluders);
+}
 
-  std::size_t kept = 0;
-  std::uint16_t occluders_used = 0;
-  for (const Candidate& c : seen) {
-    if (kept == Cell::kMaxEntries) break;
-    const Reflector& r = room.reflectors[c.reflector];
-    between.clear();
-    bool hidden = false;
-    const bool mirrored = r.kind == ReflectorKind::mirrored_corner;
-    Bounds reach;
-    for (Vec2 p : {box[0], box[2], c.feet.a, c.feet.b}) reach.include(p);
-    if (mirrored) reach.include(r.b);
-    for (std::size_t k = 0; k < room.occluders.size() && !hidden; ++k) {
-      if (static_cast<std::int16_t>(k) == r.own_index) continue;
-      if (reach.misses(room.occluders[k])) continue;
-      if (!ways_may_touch(box, c.feet, room.occluders[k]) &&
-          !(mirrored && hull_may_touch<3>({c.feet.a, c.feet.b, r.b}, room.occluders[k]))) {
-        continue;
-      }
-      between.push_back(static_cast<std::uint16_t>(k));
-      hidden = !mirrored && r.kind != ReflectorKind::all_reflective && blocks_all(room.occluders[k], box, c.feet);
-    }
-    if (hidden || occluders_used + between.size() > Cell::kMaxOccluders) continue;
-    cell.entries[kept] = {c.reflector, occluders_used, static_cast<std::uint16_t>(between.size())};
-    for (std::uint16_t k : between) cell.occluders[occluders_used++] = k;
-    seen[kept++] = c;
+std::size_t CellScratch::largest_cell() const noexcept {
+  return entries_.capacity() * sizeof(Cell::Entry) + (items_.capacity() + occluders_.capacity()) * sizeof(std::uint16_t);
+}
+
+std::size_t CellScratch::memory() const noexcept {
+  return largest_cell() + reaches_.capacity() * sizeof(Reach) +
+         between_.capacity() * sizeof(std::uint16_t);
+}
+
+class CellCompiler {
+ public:
+  CellCompiler(const RoomScene& room, const Box& box, const SightLimits& limits, CellScratch& scratch) noexcept
+      : room_(room), box_(box), limits_(limits), scratch_(scratch) {}
+
+  Cell compile() noexcept {
+    Cell cell;
+    list_entries();
+    list_sectors(cell);
+    cell.entries = scratch_.entries_;
+    cell.items = scratch_.items_;
+    cell.occluders = scratch_.occluders_;
+    return cell;
   }
-  seen.resize(kept);
-  cell.entry_count = static_cast<std::uint16_t>(kept);
-  fill_sectors(room, seen, box, limits, cell);
+
+ private:
+  bool shows_through_its_door(const Candidate& c) const noexcept {
+    const Reflector& r = room_.reflectors[c.reflector];
+    if (r.opening < 0) return true;
+    const Opening& door = room_.openings[static_cast<std::size_t>(r.opening)];
+    return distance_to_box(door.centre, box_) < kInDoorway || ways_may_touch(box_, c.feet, door.span());
+  }
+
+  void list_entries() noexcept {
+    scratch_.entries_.clear();
+    scratch_.reaches_.clear();
+    scratch_.occluders_.clear();
+    for (std::size_t i = 0; i < room_.reflectors.size(); ++i) {
+      Candidate c;
+      if (!may_answer(room_, i, box_, limits_, c) || !shows_through_its_door(c) || !find_between(c)) continue;
+      scratch_.entries_.push_back(entry_of(c));
+      scratch_.reaches_.push_back(reach_of(c));
+    }
+  }
+
+  // Lists what may stand between the box and `c`. False when that hides it from all of the box.
+  bool find_between(const Candidate& c) noexcept {
+    const Reflector& r = room_.reflectors[c.reflector];
+    const bool mirrored = r.kind == ReflectorKind::mirrored_corner;
+    const bool hideable = !mirrored && r.kind != ReflectorKind::all_reflective;
+    Bounds reach;
+    for (Vec2 p : {box_[0], box_[2], c.feet.a, c.feet.b}) reach.include(p);
+    if (mirrored) reach.include(r.b);
+    scratch_.between_.clear();
+    for (std::size_t k = 0; k < room_.occluders.size(); ++k) {
+      const Segment& s = room_.occluders[k];
+      if (static_cast<std::int16_t>(k) == r.own_index || reach.misses(s)) continue;
+      if (!ways_may_touch(box_, c.feet, s) && !(mirrored && hull_may_touch(ways_from_mirror(c.feet, r), s))) continue;
+      if (hideable && blocks_all(s, box_, c.feet)) return false;
+      scratch_.between_.push_back(static_cast<std::uint16_t>(k));
+    }
+    return true;
+  }
+
+  // Where there is no place for another list, sight is tested against all that the room holds.
+  Cell::Entry entry_of(const Candidate& c) noexcept {
+    std::vector<std::uint16_t>& between = scratch_.between_;
+    std::vector<std::uint16_t>& listed = scratch_.occluders_;
+    const auto begin = static_cast<std::uint16_t>(listed.size());
+    if (listed.size() + between.size() <= kMaxListed) {
+      listed.insert(listed.end(), between.begin(), between.end());
+      return {c.reflector, begin, static_cast<std::uint16_t>(between.size())};
+    }
+    const std::size_t all = room_.occluders.size();
+    if (!all_begin_) {
+      all_begin_ = begin;
+      listed.resize(listed.size() + all);
+      std::iota(listed.begin() + begin, listed.end(), std::uint16_t{0});
+    }
+    return {c.reflector, *all_begin_, static_cast<std::uint16_t>(all)};
+  }
+
+  CellScratch::Reach reach_of(const Candidate& c) const noexcept {
+    const Reflector& r = room_.reflectors[c.reflector];
+    const Arc arc = directions(r, c, box_);
+    if (r.kind == ReflectorKind::all_reflective) {
+      const std::uint32_t sectors = sectors_near(arc, limits_.all_reflective_cut_off_rad);
+      return {sectors, sectors};
+    }
+    const double rough = r.kind == ReflectorKind::wall && may_be_rough(c, limits_) ? limits_.rough_cut_off_rad : 0.0;
+    return {sectors_near(arc, std::max(limits_.sharp_cut_off_rad, rough)), sectors_near(arc, std::max(limits_.cut_off_rad, rough))};
+  }
+
+  void list_sectors(Cell& cell) noexcept {
+    std::vector<std::uint16_t>& items = scratch_.items_;
+    items.clear();
+    for (std::size_t s = 0; s < Cell::kSectors; ++s) {
+      cell.sector_begin[s] = static_cast<std::uint32_t>(items.size());
+      for (std::size_t i = 0; i < scratch_.reaches_.size(); ++i) {
+        const CellScratch::Reach& reach = scratch_.reaches_[i];
+        if ((reach.coarse >> s & 1U) == 0) continue;
+        const bool sharp = (reach.sharp >> s & 1U) != 0;
+        items.push_back(static_cast<std::uint16_t>(i | (sharp ? 0U : Cell::kCoarseOnly)));
+      }
+    }
+    cell.sector_begin[Cell::kSectors] = static_cast<std::uint32_t>(items.size());
+  }
+
+  const RoomScene& room_;
+  const Box& box_;
+  const SightLimits& limits_;
+  CellScratch& scratch_;
+  std::optional<std::uint16_t> all_begin_;   // Where all the occluders are listed.
+};
+
+Cell compile_cell(const RoomScene& room, Vec2 low, Vec2 high, const SightLimits& limits, CellScratch& scratch) noexcept {
+  const Box box = make_box(low, high);
+  Cell cell = CellCompiler(room, box, limits, scratch).compile();
   cell.plain_floor = room.floor.begin.size() > 1 && !room.floor.crossed_by_box(low, high) && room.floor.contains(0.5 * (low + high));
+  return cell;
 }
 
 }  // namespace echoway::scene

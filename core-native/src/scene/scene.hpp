@@ -1,18 +1,17 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
 #include <vector>
 
 #include "echoway/belt/belt.hpp"
-#include "scene/cell.hpp"
+#include "scene/cell_store.hpp"
 #include "scene/room_scene.hpp"
 
 namespace echoway::scene {
 
 inline constexpr double kCellSize = 0.5;    ///< Metres; more in very large rooms.
 
-/// A building compiled for one belt. Cells are filled when first looked at and kept in a pool of fixed size, so that a
+/// A building compiled for one belt. Cells are compiled when first looked at and kept in memory of fixed size, so that a
 /// large building loads at once, holds little, and the firing path allocates nothing.
 class Scene {
  public:
@@ -28,30 +27,25 @@ class Scene {
     const Vec2 local = r.cells_per_metre * (p - r.grid_origin);
     const int column = static_cast<int>(std::clamp(local.x, 0.0, r.columns - 0.5));
     const int row = static_cast<int>(std::clamp(local.y, 0.0, r.rows - 0.5));
-    const std::int16_t slot = slot_of_cell_[r.first_cell + static_cast<std::size_t>(row) * static_cast<std::size_t>(r.columns) +
-                                            static_cast<std::size_t>(column)];
-    Cell& cell = slot >= 0 ? slots_[static_cast<std::size_t>(slot)] : compile(r, column, row);
-    cell.recently_used = true;
-    return cell;
+    const Cell* const cell = cells_.find(r.first_cell + static_cast<std::size_t>(row) * static_cast<std::size_t>(r.columns) +
+                                         static_cast<std::size_t>(column));
+    return cell != nullptr ? *cell : compile(r, column, row);
   }
 
-  /// Cells filled so far, those filled again included.
+  /// Cells compiled so far, those compiled again included.
   [[nodiscard]] std::size_t cells_compiled() const noexcept { return cells_compiled_; }
 
   /// Bytes held.
   [[nodiscard]] std::size_t memory() const noexcept;
 
  private:
-  [[nodiscard]] Cell& compile(const RoomScene& room, int column, int row) noexcept;
-  [[nodiscard]] Cell& claim_slot() noexcept;
+  [[nodiscard]] const Cell& compile(const RoomScene& room, int column, int row) noexcept;
 
   std::vector<RoomScene> rooms_;
   SightLimits limits_;
-  std::vector<std::int16_t> slot_of_cell_;  ///< -1: not compiled.
-  std::vector<Cell> slots_;
   CellScratch scratch_;
+  CellStore cells_;
   std::size_t cells_compiled_ = 0;
-  std::size_t hand_ = 0;                    ///< Of the clock that looks for a slot to use again.
 };
 
 }  // namespace echoway::scene

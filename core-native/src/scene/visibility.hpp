@@ -91,6 +91,11 @@ inline constexpr double kInDoorway = 0.6;
 /// Sight to a reflector is followed to this much in front of it, so that what it touches does not hide it.
 inline constexpr double kSightClearance = 0.03;
 
+/// A wall's mirror spot needs about half a Fresnel zone of wall (sqrt(lambda z) / 2, 7 cm at 3 m): the echo fades over this
+/// much before a wall's end and as much beyond it; over more where headings are on a coarse grid.
+inline constexpr double kWallEndSoftness = 0.07;
+inline constexpr double kCoarseWallEndSoftness = 0.20;
+
 /// `to`, drawn back towards `from` by kSightClearance (or to the middle of the way if that is nearer).
 [[nodiscard]] inline Vec2 in_front_of(Vec2 to, Vec2 from, double way) noexcept {
   const double back = way > 2.0 * kSightClearance ? kSightClearance / way : 0.5;

@@ -13,10 +13,6 @@ using scene::Reflector;
 using scene::ReflectorKind;
 using scene::RoomScene;
 
-// A wall's mirror spot needs about half a Fresnel zone of wall (sqrt(lambda z) / 2, 7 cm at 3 m); near a wall's end the
-// echo fades over this much.
-constexpr double kWallEndSoftness = 0.07;
-constexpr double kCoarseWallEndSoftness = 0.20;
 constexpr double kBeamEdgeSpread = 0.035;   // Radians by which the beam's edge is uncertain.
 constexpr double kRoughSpread = 0.06;       // Radians within the beam from which a rough wall's echo comes;
 constexpr double kCoarseRoughSpread = 0.10; // the same of particles that stand for cells of headings.
@@ -67,7 +63,7 @@ bool see_wall(const Reflector& r, const View& view, Sighting& seen) noexcept {
   if (!(d > kNearest) || !(dot(view.axis, normal) < 0.0)) return false;
   const double beam = view.model.beam(std::abs(cross(view.axis, normal)), view.coarse);
   if (beam <= kOffTheBeam) return see_rough_wall(r, view, d, normal, seen);
-  const double soft = view.coarse ? kCoarseWallEndSoftness : kWallEndSoftness;
+  const double soft = view.coarse ? scene::kCoarseWallEndSoftness : scene::kWallEndSoftness;
   const double t = r.along(view.eye);
   const double inside = std::min(t, r.length - t);
   if (inside <= -soft) return false;
