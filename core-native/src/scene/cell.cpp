@@ -24,12 +24,11 @@ bool blocks_all(const Segment& s, const Box& box, const Segment& feet) noexcept 
 }
 
 // Where the way from a wall to a corner that it mirrors may lead: it begins kSightClearance before the wall.
-std::array<Vec2, 5> ways_from_mirror(const Segment& feet, const Reflector& corner) noexcept {
+Hull ways_from_mirror(const Segment& feet, const Reflector& corner) noexcept {
   const Vec2 before = kSightClearance / distance(corner.a, corner.b) * (corner.b - corner.a);
   const Vec2 aside = dot(feet.direction(), perpendicular(before)) < 0.0 ? -perpendicular(before) : perpendicular(before);
   const Vec2 begin = feet.a - aside;
-  const Vec2 end = feet.b + aside;
-  return {begin, end, begin + before, end + before, corner.b};
+  return {begin, feet.b + aside, begin + before, corner.b};
 }
 
 // Directions from the box to the feet, as [begin, begin + width).
@@ -86,8 +85,7 @@ std::size_t CellScratch::largest_cell() const noexcept {
 }
 
 std::size_t CellScratch::memory() const noexcept {
-  return largest_cell() + reaches_.capacity() * sizeof(Reach) +
-         between_.capacity() * sizeof(std::uint16_t);
+  return largest_cell() + reaches_.capacity() * sizeof(Reach) + between_.capacity() * sizeof(std::uint16_t);
 }
 
 class CellCompiler {
@@ -106,11 +104,11 @@ class CellCompiler {
   }
 
  private:
-  bool shows_through_its_door(const Candidate& c) const noexcept {
+  bool shows_through_its_door(const Candidate& c, const Hull& ways) const noexcept {
     const Reflector& r = room_.reflectors[c.reflector];
     if (r.opening < 0) return true;
     const Opening& door = room_.openings[static_cast<std::size_t>(r.opening)];
-    return distance_to_box(door.centre, box_) < kInDoorway || ways_may_touch(box_, c.feet, door.span());
+    return distance_to_box(door.centre, box_) < kInDoorway || ways.may_touch(door.span());
   }
 
   void list_entries() noexcept {
@@ -119,25 +117,28 @@ class CellCompiler {
     scratch_.occluders_.clear();
     for (std::size_t i = 0; i < room_.reflectors.size(); ++i) {
       Candidate c;
-      if (!may_answer(room_, i, box_, limits_, c) || !shows_through_its_door(c) || !find_between(c)) continue;
+      if (!may_answer(room_, i, box_, limits_, c)) continue;
+      const Hull ways(box_, c.feet);
+      if (!shows_through_its_door(c, ways) || !find_between(c, ways)) continue;
       scratch_.entries_.push_back(entry_of(c));
       scratch_.reaches_.push_back(reach_of(c));
     }
   }
 
   // Lists what may stand between the box and `c`. False when that hides it from all of the box.
-  bool find_between(const Candidate& c) noexcept {
+  bool find_between(const Candidate& c, const Hull& ways) noexcept {
     const Reflector& r = room_.reflectors[c.reflector];
     const bool mirrored = r.kind == ReflectorKind::mirrored_corner;
     const bool hideable = !mirrored && r.kind != ReflectorKind::all_reflective;
     Bounds reach;
     for (Vec2 p : {box_[0], box_[2], c.feet.a, c.feet.b}) reach.include(p);
     if (mirrored) reach.include(r.b);
+    const Hull from_mirror = mirrored ? ways_from_mirror(c.feet, r) : ways;
     scratch_.between_.clear();
     for (std::size_t k = 0; k < room_.occluders.size(); ++k) {
       const Segment& s = room_.occluders[k];
       if (static_cast<std::int16_t>(k) == r.own_index || reach.misses(s)) continue;
-      if (!ways_may_touch(box_, c.feet, s) && !(mirrored && hull_may_touch(ways_from_mirror(c.feet, r), s))) continue;
+      if (!ways.may_touch(s) && !(mirrored && from_mirror.may_touch(s))) continue;
       if (hideable && blocks_all(s, box_, c.feet)) return false;
       scratch_.between_.push_back(static_cast<std::uint16_t>(k));
     }

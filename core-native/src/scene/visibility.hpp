@@ -39,24 +39,65 @@ template <std::size_t N>
   return true;
 }
 
-/// The same for all straight ways from an upright box to a point: its own sides need no further axes.
-[[nodiscard]] inline bool ways_may_touch(const std::array<Vec2, 4>& box, Vec2 to, const Segment& s) noexcept {
-  const std::array<Vec2, 5> points{box[0], box[1], box[2], box[3], to};
-  if (separated({1.0, 0.0}, points, s) || separated({0.0, 1.0}, points, s)) return false;
-  if (separated(perpendicular(s.direction()), points, s)) return false;
-  return std::none_of(box.begin(), box.end(), [&](Vec2 corner) { return separated(perpendicular(to - corner), points, s); });
-}
+/// A convex hull against which many segments are tested: its shadows on the axes that may separate are taken once.
+class Hull {
+ public:
+  /// All straight ways from an upright box to a stretch, or to a point.
+  Hull(const std::array<Vec2, 4>& box, const Segment& to) noexcept : points_{box[0], box[1], box[2], box[3], to.a, to.b}, count_(6) {
+    add_axis({1.0, 0.0});
+    add_axis({0.0, 1.0});
+    for (Vec2 corner : box) add_axis(perpendicular(to.a - corner));
+    if (to.a == to.b) return;
+    for (Vec2 corner : box) add_axis(perpendicular(to.b - corner));
+    add_axis(perpendicular(to.direction()));
+  }
 
-/// And from the box to a stretch.
-[[nodiscard]] inline bool ways_may_touch(const std::array<Vec2, 4>& box, const Segment& to, const Segment& s) noexcept {
-  if (to.a == to.b) return ways_may_touch(box, to.a, s);
-  const std::array<Vec2, 6> points{box[0], box[1], box[2], box[3], to.a, to.b};
-  if (separated({1.0, 0.0}, points, s) || separated({0.0, 1.0}, points, s)) return false;
-  if (separated(perpendicular(s.direction()), points, s) || separated(perpendicular(to.direction()), points, s)) return false;
-  return std::none_of(box.begin(), box.end(), [&](Vec2 corner) {
-    return separated(perpendicular(to.a - corner), points, s) || separated(perpendicular(to.b - corner), points, s);
-  });
-}
+  /// All straight ways from a parallelogram (a, b; c next to a) to a point.
+  Hull(Vec2 a, Vec2 b, Vec2 c, Vec2 to) noexcept : points_{a, b, c, b + (c - a), to}, count_(5) {
+    add_axis({1.0, 0.0});
+    add_axis({0.0, 1.0});
+    for (std::size_t i = 0; i < 4; ++i) add_axis(perpendicular(to - points_[i]));
+    add_axis(perpendicular(b - a));
+    add_axis(perpendicular(c - a));
+  }
+
+  /// False only when a line separates `s` from the hull; true may be a near miss.
+  [[nodiscard]] bool may_touch(const Segment& s) const noexcept {
+    for (std::size_t i = 0; i < axes_; ++i) {
+      if (shadows_[i].misses(s)) return false;
+    }
+    return !shadow(perpendicular(s.direction())).misses(s);
+  }
+
+ private:
+  struct Shadow {
+    Vec2 axis;
+    double low, high;
+
+    [[nodiscard]] bool misses(const Segment& s) const noexcept {
+      const double a = dot(axis, s.a);
+      const double b = dot(axis, s.b);
+      return (a < low && b < low) || (a > high && b > high);
+    }
+  };
+
+  [[nodiscard]] Shadow shadow(Vec2 axis) const noexcept {
+    Shadow out{axis, dot(axis, points_[0]), dot(axis, points_[0])};
+    for (std::size_t i = 1; i < count_; ++i) {
+      const double v = dot(axis, points_[i]);
+      out.low = v < out.low ? v : out.low;
+      out.high = v > out.high ? v : out.high;
+    }
+    return out;
+  }
+
+  void add_axis(Vec2 axis) noexcept { shadows_[axes_++] = shadow(axis); }
+
+  std::array<Vec2, 6> points_;
+  std::size_t count_;
+  std::array<Shadow, 11> shadows_;
+  std::size_t axes_ = 0;
+};
 
 /// Bounding box of some points: most of a large room's walls are ruled out by it alone.
 struct Bounds {
