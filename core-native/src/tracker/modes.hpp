@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tracker/placed.hpp"
 #include "tracker/population.hpp"
 #include "tracker/summary.hpp"
 
@@ -34,9 +35,10 @@ class Modes {
   /// Places of a summary, and last whatever lies elsewhere.
   static constexpr std::size_t kMost = Summary::kMaxClusters + 1;
 
-  [[nodiscard]] int place_of(const Particle& p, const Summary& summary, const Building& building) const noexcept;
+  [[nodiscard]] std::size_t nearest(const Placed& at, std::size_t count) const noexcept;
 
   Parameters parameters_;
+  std::array<Placed, Summary::kMaxClusters> places_{};   ///< Of the summary, in their levels' frames.
   std::vector<std::uint8_t> of_;         ///< Per particle: its place.
 };
 

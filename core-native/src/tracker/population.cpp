@@ -89,6 +89,7 @@ std::size_t Population::main_size() const noexcept {
 }
 
 void Population::weigh_modes() noexcept {
+  if (mode_count_ < 2) return;   // Nothing that temper_modes() could change.
   for (std::size_t m = 0; m < mode_count_; ++m) modes_[m].weight = weight_of(modes_[m]);
 }
 

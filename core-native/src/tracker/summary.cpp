@@ -5,42 +5,10 @@
 #include <utility>
 
 #include "tracker/elementary.hpp"
+#include "tracker/placed.hpp"
 
 namespace echoway::tracker {
 namespace {
-
-// A room's frame in its level's, as every particle in the room needs it.
-struct RoomFrame {
-  RoomIndex room = kNoRoom;
-  int level = 0;
-  Pose2 pose{};
-  Vec2 turn{1.0, 0.0};                             // cos, sin of its heading,
-  double cos2 = 1.0, sin2 = 0.0, cos_sin = 0.0;    // and their products.
-
-  RoomFrame() = default;
-  RoomFrame(const Building& building, RoomIndex index) noexcept
-      : room(index),
-        level(building.room(index).level),
-        pose(building.room(index).frame),
-        turn(unit_from_angle(pose.heading)),
-        cos2(turn.x * turn.x),
-        sin2(turn.y * turn.y),
-        cos_sin(turn.x * turn.y) {}
-};
-
-// A particle in its level's frame.
-struct Placed {
-  int level;
-  Vec2 position;
-  double heading;
-};
-
-Placed place(const Particle& p, const RoomFrame& frame) noexcept {
-  const Vec2 t = frame.turn;
-  const Vec2 at{frame.pose.position.x + t.x * p.position.x - t.y * p.position.y,
-                frame.pose.position.y + t.y * p.position.x + t.x * p.position.y};
-  return {frame.level, at, p.heading + frame.pose.heading};
-}
 
 struct Cluster {
   Placed anchor{};
