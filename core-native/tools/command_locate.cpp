@@ -106,7 +106,7 @@ int locate(const LocateOptions& options) {
   replay(
       *scans, hints,
       [&](std::size_t i) {
-        if (const Status started = session.restart((*restarts)[i]); !started && refused) refused = started.error();
+        if (const Status started = session.restart((*restarts)[i]); !started && !refused) refused = started.error();
       },
       [&](const MotionHint& hint) { session.on_motion(hint); },
       [&](const Firing& firing) {
