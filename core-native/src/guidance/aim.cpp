@@ -1,16 +1,13 @@
 #include "guidance/aim.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace echoway::guidance {
 namespace {
 
-/// The point to head for lies at most this far along the way, metres,
+/// The point to head for lies at most this far along the way, metres.
 constexpr double kLookAhead = 4.0;
-/// and what is nearer than this is at hand already.
-constexpr double kAtHand = 0.8;
 /// Too near to be headed for, metres.
 constexpr double kTooNear = 0.35;
 /// A door so far along is none.

@@ -3,23 +3,6 @@
 #include "guidance/surroundings.hpp"
 
 namespace echoway::guidance {
-namespace {
-
-CueLandmark::Kind kind_of(const Goal& goal) {
-  switch (goal.kind) {
-    case Goal::Kind::place:
-      return CueLandmark::Kind::place;
-    case Goal::Kind::exit:
-      return CueLandmark::Kind::exit;
-    case Goal::Kind::room:
-      return CueLandmark::Kind::room;
-    default:
-      return CueLandmark::Kind::none;
-  }
-}
-
-}  // namespace
-
 void Answers::start_over(bool leading) noexcept {
   where_ = where_ || is_answering();
   count_ = next_ = 0;
@@ -35,7 +18,7 @@ void Answers::tell_destination(const Estimate& e, const Route* route, Announcer&
   Cue cue = make_cue(CueKind::destination);
   cue.sigma_m = e.sigma_m;
   cue.distance_m = walked_length(*route);
-  cue.landmark = {kind_of(route->goal), route->goal.index};
+  cue.landmark = landmark_of(route->goal);
   if (cue.landmark.kind == CueLandmark::Kind::none || voice.offer(cue, e.time_s, true)) destination_ = false;
 }
 

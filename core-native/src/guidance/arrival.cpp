@@ -6,26 +6,6 @@
 #include "guidance/surroundings.hpp"
 
 namespace echoway::guidance {
-namespace {
-
-/// The destination in a cue.
-CueLandmark landmark_of(const Goal& goal) {
-  switch (goal.kind) {
-    case Goal::Kind::place:
-      return {CueLandmark::Kind::place, goal.index};
-    case Goal::Kind::exit:
-    case Goal::Kind::nearest_exit:
-      return {CueLandmark::Kind::exit, goal.index};
-    case Goal::Kind::room:
-      return {CueLandmark::Kind::room, goal.index};
-    case Goal::Kind::spot:
-      break;
-  }
-  return {};
-}
-
-}  // namespace
-
 void Arrival::note_room(const Estimate& e) noexcept {
   if (e.room != room_) room_since_ = e.time_s;
   room_ = e.room;

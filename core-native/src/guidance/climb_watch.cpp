@@ -11,8 +11,7 @@ void ClimbWatch::update(const Estimate& e) noexcept {
     const bool at_a = link.room_a == e.room && distance(link.at_a, e.pose.position) < kAt;
     const bool at_b = link.room_b == e.room && distance(link.at_b, e.pose.position) < kAt;
     if (!at_a && !at_b) continue;
-    const double patience = link.kind == LevelLinkKind::stairs ? config_->stairs_patience_s : config_->elevator_patience_s;
-    until_ = std::max(until_, e.time_s + config_->unasked_share * patience);
+    until_ = std::max(until_, e.time_s + config_->unasked_share * config_->patience_s(link.kind));
   }
 }
 

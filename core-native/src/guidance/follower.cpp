@@ -17,8 +17,7 @@ bool walks(const Estimate& e) {
 }  // namespace
 
 Follower::Follower(const Router& router, const GuideConfig& config)
-    : router_(&router),
-      config_(&config),
+    : config_(&config),
       way_(router, config),
       reaction_(config),
       aim_(router, config, way_, reaction_),

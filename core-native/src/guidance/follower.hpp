@@ -67,7 +67,6 @@ class Follower {
   [[nodiscard]] bool lingers(const View& view);
   void lead_on(const View& view, bool turning, Announcer& voice);
 
-  const Router* router_;
   const GuideConfig* config_;
   Way way_;
   Reaction reaction_;

@@ -10,14 +10,10 @@ void LevelChange::forget() noexcept {
   landing_ = kNoRoom;
 }
 
-RoomIndex LevelChange::other_end(const LevelLink& link, RoomIndex here) const noexcept {
-  return link.room_a == here ? link.room_b : link.room_a;
-}
-
 Cue LevelChange::cue_for(CueKind kind, std::int32_t link, const View& view, Vec2 at) const noexcept {
   const Building& building = router_->building();
   const RoomIndex here = view.estimate->room;
-  const RoomIndex there = other_end(building.links[static_cast<std::size_t>(link)], here);
+  const RoomIndex there = building.links[static_cast<std::size_t>(link)].beyond(here);
   Cue cue = make_cue(kind);
   cue.landmark = {CueLandmark::Kind::link, link};
   cue.up = building.room(there).level > building.room(here).level;
@@ -42,8 +38,8 @@ bool LevelChange::take(const View& view, Announcer& voice) {
   if (end.kind != WaypointKind::link_from || length_of(way_->line()) > config_->arrive_m + 0.5 * view.speed) return false;
   if (!voice.offer(cue_for(CueKind::take_link, end.index, view, end.at), view.now)) return true;
   const LevelLink& link = router_->building().links[static_cast<std::size_t>(end.index)];
-  const double patience = link.kind == LevelLinkKind::stairs ? config_->stairs_patience_s : config_->elevator_patience_s;
-  landing_ = other_end(link, view.estimate->room);
+  const double patience = config_->patience_s(link.kind);
+  landing_ = link.beyond(view.estimate->room);
   suspended_until_ = view.now + patience;
   transition_ = LevelTransition{static_cast<std::size_t>(end.index), view.estimate->room, landing_, view.now, patience};
   return true;

@@ -34,7 +34,6 @@ class LevelChange {
   void drop_transition() noexcept { transition_.reset(); }
 
  private:
-  [[nodiscard]] RoomIndex other_end(const LevelLink& link, RoomIndex here) const noexcept;
   [[nodiscard]] Cue cue_for(CueKind kind, std::int32_t link, const View& view, Vec2 at) const noexcept;
 
   const Router* router_;

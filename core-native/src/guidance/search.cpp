@@ -44,9 +44,9 @@ bool Search::stop_before_echo(const Estimate& e, Announcer& voice) const {
   const double speed = std::isfinite(e.speed_mps) ? e.speed_mps : 0.0;
   if (speed < kWalks) return false;
   const auto echo = heard_->ahead(e.time_s);
-  const double needed =
-      config_->body_m + kMargin + speed * (config_->line_overhead_s + config_->seconds_per_word + config_->reaction_s);
-  return echo && *echo < needed && voice.offer(make_cue(CueKind::stop), e.time_s);
+  const Cue stop = make_cue(CueKind::stop);
+  const double needed = config_->body_m + kMargin + speed * (spoken_seconds(stop, *config_) + config_->reaction_s);
+  return echo && *echo < needed && voice.offer(stop, e.time_s);
 }
 
 /// Turning on the spot shows the same walls again and again: every other time it is a step to where the belt hears that it

@@ -12,13 +12,17 @@ namespace {
 
 constexpr std::array<double, 8> kWays{0.0, degrees(32.0), degrees(-32.0), degrees(85.0), degrees(-85.0), degrees(140.0), degrees(-140.0), kPi};
 
+/// Whether the step touches nothing, neither of the plan nor beyond it.
+bool is_free(const Router& router, const GuideConfig& config, const Way& way, const Estimate& from, Vec2 to) {
+  return router.space(from.room).clear_between(from.pose.position, to, config.body_m) && !way.hindrances().hinders({from.pose.position, to});
+}
+
 }  // namespace
 
 std::optional<SideStep> find_side_step(const Router& router, const GuideConfig& config, const Outlook& outlook,
                                        const Aim& aim, const Way& way, const View& view, const Demand& demand) {
   constexpr std::array<double, 4> kSteps{0.35, 0.6, 0.9, 1.3};
   constexpr double kMetresPerRadian = 0.4;
-  const FreeSpace& space = router.space(view.estimate->room);
   const Pose2& pose = view.estimate->pose;
   const Cue turn = make_cue(CueKind::turn);
   const Outlook::Approach from_here = outlook.approach(view, turn, demand);
@@ -35,8 +39,7 @@ std::optional<SideStep> find_side_step(const Router& router, const GuideConfig& 
     for (const double step : kSteps) {
       const Vec2 there = pose.position + step * unit_from_angle(pose.heading + direction);
       const double cost = step + std::abs(wrap_angle(direction - view.off)) * kMetresPerRadian;
-      if (cost >= least || !space.clear_between(pose.position, there, config.body_m)) continue;
-      if (way.hindrances().hinders({pose.position, there})) continue;
+      if (cost >= least || !is_free(router, config, way, *view.estimate, there)) continue;
       if (!can_turn_from({there, wrap_angle(pose.heading + direction)})) continue;
       if (!outlook.clear_of_walls(view, from_here, direction, demand)) continue;
       least = cost;
@@ -59,8 +62,7 @@ std::optional<SideStep> find_room(const Router& router, const GuideConfig& confi
   for (const double direction : kWays) {
     const Vec2 there = pose.position + kStep * unit_from_angle(pose.heading + direction);
     const double clear = space.clearance(there, kEnough);
-    if (clear <= most || !space.clear_between(pose.position, there, config.body_m)) continue;
-    if (way.hindrances().hinders({pose.position, there})) continue;
+    if (clear <= most || !is_free(router, config, way, *view.estimate, there)) continue;
     if (!outlook.clear_of_walls(view, from_here, direction, demand)) continue;
     most = clear;
     best = {direction, kStep};

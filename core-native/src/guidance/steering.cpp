@@ -1,7 +1,6 @@
 #include "guidance/steering.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "guidance/side_step.hpp"
@@ -11,8 +10,6 @@
 namespace echoway::guidance {
 namespace {
 
-/// What is nearer along the way than this is at hand already, metres.
-constexpr double kAtHand = 0.8;
 /// A wearer who is to go straight is put right first if they face this far off.
 constexpr double kFacingWell = degrees(9.0);
 /// Less than this is no use saying, whatever it leads to.
@@ -82,7 +79,7 @@ bool Steering::halt(const View& view, Announcer& voice) {
 bool Steering::put_safe_turn_in_tail(const View& view, Cue& cue) const {
   const double turn = told(view.off);
   if (sector_of(turn) == Sector::ahead || !outlook_.clear_ahead(view, cue, understood(turn), {})) return false;
-  cue.tail = {CueKind::turn, true, turn, -1.0};
+  put_turn_in_tail(cue, CueKind::stop, turn);
   return true;
 }
 

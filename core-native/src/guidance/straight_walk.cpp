@@ -31,7 +31,7 @@ StraightWalk::StraightWalk(const Router& router, RoomIndex room, const Pose2& fr
     const Door& door = building.doors[static_cast<std::size_t>(p.door)];
     const auto on = meets(p, door.width, from.position, ahead);
     if (!on || *on > until_wall_ || (beyond_ && *on > beyond_->on)) continue;
-    const RoomIndex next = door.room_a == room ? door.room_b : door.room_a;
+    const RoomIndex next = door.beyond(room);
     const auto there = std::find_if(router.space(next).passages().begin(), router.space(next).passages().end(),
                                     [&](const Passage& q) { return q.door == p.door; });
     if (there == router.space(next).passages().end()) continue;

@@ -56,11 +56,26 @@ Cue nearest_passage(const Router& router, const Estimate& e) {
     look_at(kind, CueLandmark::Kind::link, i, link.room_a, link.at_a);
     look_at(kind, CueLandmark::Kind::link, i, link.room_b, link.at_b);
     if (cue.landmark == CueLandmark{CueLandmark::Kind::link, static_cast<std::int32_t>(i)}) {
-      const RoomIndex other = link.room_a == e.room ? link.room_b : link.room_a;
+      const RoomIndex other = link.beyond(e.room);
       cue.up = b.room(other).level > b.room(e.room).level;
     }
   }
   return cue;
+}
+
+CueLandmark landmark_of(const Goal& goal) noexcept {
+  switch (goal.kind) {
+    case Goal::Kind::place:
+      return {CueLandmark::Kind::place, goal.index};
+    case Goal::Kind::exit:
+      return {CueLandmark::Kind::exit, goal.index};
+    case Goal::Kind::room:
+      return {CueLandmark::Kind::room, goal.index};
+    case Goal::Kind::nearest_exit:  // a route names the one that was chosen
+    case Goal::Kind::spot:
+      break;
+  }
+  return {};
 }
 
 Cue facing(const Router& router, const Estimate& e) {

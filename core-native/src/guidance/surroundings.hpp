@@ -19,6 +19,9 @@ namespace echoway::guidance {
 /// far it is.
 [[nodiscard]] Cue facing(const Router& router, const Estimate& estimate);
 
+/// What a route leads to, in a cue; nothing for a bare spot.
+[[nodiscard]] CueLandmark landmark_of(const Goal& goal) noexcept;
+
 /// "Room 4, Seminar room."
 [[nodiscard]] Cue room_cue(CueKind kind, RoomIndex room) noexcept;
 

@@ -5,6 +5,9 @@
 
 namespace echoway::guidance {
 
+/// What is nearer along the way than this is at hand already, metres.
+inline constexpr double kAtHand = 0.8;
+
 /// What the wearer's pose means for the way, worked out once an update.
 struct View {
   const Estimate* estimate = nullptr;

@@ -197,9 +197,9 @@ BeltConfig BeltHeader::apply_to(BeltConfig defaults) const noexcept {
 Result<Start> LoggedRestart::start_in(const Building& building) const {
   Start start;
   if (room.empty()) return start;
-  const auto found = std::find_if(building.rooms.begin(), building.rooms.end(), [&](const Room& r) { return r.id == room; });
-  if (found == building.rooms.end()) return Error{"the walk was started again in room " + room + ", which the building does not have"};
-  start.room = static_cast<RoomIndex>(found - building.rooms.begin());
+  const RoomIndex found = building.find_room(room);
+  if (found == kNoRoom) return Error{"the walk was started again in room " + room + ", which the building does not have"};
+  start.room = found;
   start.position = position;
   start.heading = heading;
   return start;

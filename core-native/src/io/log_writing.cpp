@@ -23,11 +23,9 @@ class LogWriter {
   LogWriter(AtomicFile file, std::filesystem::path name) : file_(std::move(file)), name_(std::move(name)) {}
 
   void comment(std::string_view key, double value, int decimals) {
-    text_ += "# ";
-    text_ += key;
-    text_ += ' ';
-    put(value, decimals);
-    text_ += '\n';
+    begin_comment(key);
+    comment_number(value, decimals);
+    end_row();
   }
   void begin_comment(std::string_view key) {
     text_ += "# ";

@@ -19,7 +19,6 @@ constexpr double kBeamSlack = degrees(4.0);       // Walls answer a little beyon
 constexpr double kMostTurn = degrees(15.0);       // However little is known of the heading.
 constexpr double kMostShift = 0.5;                // Metres, however little is known of the position.
 constexpr double kFloor = 0.05;                   // Metres: plans are drawn to about this.
-constexpr double kWallEnd = 0.07;                 // Half a Fresnel zone at 3 m: the mirror spot needs that much wall.
 constexpr double kNearest = 1e-6;
 
 /// One sensor's ray, and how loosely it is to be taken.
@@ -44,7 +43,7 @@ bool in_beam(const Ray& ray, Vec2 way, double length) noexcept {
 Turn from_wall(const Reflector& r, const Ray& ray) noexcept {
   const double side = r.signed_distance(ray.eye);
   const double t = r.along(ray.eye);
-  if ((side < 0.0 && !r.two_sided) || t < -kWallEnd || t > r.length + kWallEnd) return {};
+  if ((side < 0.0 && !r.two_sided) || t < -scene::kWallEndSoftness || t > r.length + scene::kWallEndSoftness) return {};
   const Vec2 foot = ray.eye - side * r.normal;
   return {in_beam(ray, foot - ray.eye, std::abs(side)), foot, {}, std::abs(side)};
 }

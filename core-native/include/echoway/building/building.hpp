@@ -42,6 +42,9 @@ struct Door {
   RoomIndex room_b = kNoRoom;
   Vec2 at_b{};                        ///< Centre of the same opening in room_b's frame.
   double width = feet(3.0);           ///< Clear width of the opening, metres.
+
+  /// The room that it leads to from `here`, one of its two.
+  [[nodiscard]] RoomIndex beyond(RoomIndex here) const noexcept { return room_a == here ? room_b : room_a; }
 };
 
 enum class LevelLinkKind : std::uint8_t { stairs, elevator };
@@ -53,6 +56,9 @@ struct LevelLink {
   Vec2 at_a{};
   RoomIndex room_b = kNoRoom;
   Vec2 at_b{};
+
+  /// The room that it leads to from `here`, one of its two.
+  [[nodiscard]] RoomIndex beyond(RoomIndex here) const noexcept { return room_a == here ? room_b : room_a; }
 };
 
 /// A named point: a destination (`place`) or a way out of the building (`exit`).

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "echoway/belt/belt.hpp"
+#include "echoway/building/building.hpp"
 #include "echoway/units.hpp"
 
 namespace echoway {
@@ -49,6 +50,11 @@ struct GuideConfig {
   // Obstacles.
   double obstacle_m = 1.2;            ///< Tell of them from this far when standing; further when walking.
   int obstacle_firings = 3;           ///< So many must agree.
+
+  /// How long whoever takes stairs or an elevator may need to come out, seconds.
+  [[nodiscard]] double patience_s(LevelLinkKind kind) const noexcept {
+    return kind == LevelLinkKind::stairs ? stairs_patience_s : elevator_patience_s;
+  }
 };
 
 }  // namespace echoway
