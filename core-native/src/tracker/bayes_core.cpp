@@ -253,8 +253,10 @@ void BayesLocator::Core::conclude(double time_s) {
   estimate_ = summary_.best;
   estimate_.time_s = time_s;
   learn_pace(time_s);
-  log_scale_ = summary_.log_scale;
-  log_scale_sigma_ = std::max(summary_.log_scale_sigma, kLeastScaleSigma);
+  if (!fit_.doubtful()) {   // Readings that fit nowhere bend the scale first of all; a search must not inherit that.
+    log_scale_ = summary_.log_scale;
+    log_scale_sigma_ = std::max(summary_.log_scale_sigma, kLeastScaleSigma);
+  }
   if (!links_.none()) see_who_is_away();
   estimate_.state = state();
   explained_ = fit_.doubtful() || unconfirmed_ > 0 ? 0 : explained_ + 1;

@@ -8,6 +8,7 @@
 namespace echoway::tracker {
 namespace {
 
+constexpr double kMostScale = 0.08;        // ln of speed: at -20 and at 70 degrees it is no farther from what it is at 20.
 constexpr double kLeastShare = 1e-3;       // Updates of smaller association probability are skipped.
 
 // P h for the measurement direction h = (gx, gy, 0, range).
@@ -37,7 +38,7 @@ void add_outer(Covariance& c, const Direction& d, double f) noexcept {
 void move(Particle& p, const Direction& d, double f) noexcept {
   p.position = p.position + Vec2{f * d.x, f * d.y};
   p.speed += f * d.s;
-  p.log_scale += f * d.k;
+  p.log_scale = std::clamp(p.log_scale + f * d.k, -kMostScale, kMostScale);
 }
 
 struct Association {
