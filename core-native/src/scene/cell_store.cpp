@@ -8,8 +8,8 @@
 namespace echoway::scene {
 namespace {
 
-constexpr std::size_t kMaxSlots = 3800;
-constexpr std::size_t kBytesPerSlot = 1000;   // What the lists of a cell take in a furnished room.
+constexpr std::size_t kMaxSlots = 2600;
+constexpr std::size_t kBytesPerSlot = 1900;   // What the lists of a cell take in a furnished room.
 static_assert(kMaxSlots <= std::numeric_limits<std::int16_t>::max());
 
 std::size_t bytes_of(const Cell& cell) noexcept {
