@@ -10,8 +10,6 @@ namespace echoway::tracker {
 namespace {
 
 constexpr std::uint64_t kRound = 12;              // Firings between looks at the weights.
-constexpr double kNewShare = 0.5;                 // Of the evidence replayed: what stands in no plan is heard again and again,
-                                                  // and whichever of thousands of places it fits would drive out the right one.
 constexpr std::size_t kParticlesPerCell = 14;
 constexpr std::size_t kFewest = 400;
 constexpr double kSpread = degrees(1.0);          // Radians by which copies of a particle part.
@@ -25,13 +23,20 @@ Shot shot_of_past(const Record& record, const BeltConfig& belt) noexcept {
 }
 
 // Replays one firing; no `stride` when the way since the firing before does not count.
-void replay(Particle& p, const Record& record, const Shot& shot, const Stride* stride, const SearchTools& tools, Random& random) noexcept {
+void replay(Particle& p, const Record& record, const Shot& shot, const Stride* stride, double share, const SearchTools& tools,
+            Random& random) noexcept {
   if (stride != nullptr) stride->advance(p, random);
-  if (record.trust > 0.0) p.weight *= tempered(assimilate(p, shot, tools.model, tools.scene).density, kNewShare * record.novelty);
+  if (record.trust > 0.0) p.weight *= tempered(assimilate(p, shot, tools.model, tools.scene).density, share * record.novelty);
   p.weight *= std::max(1e-9, settle_on_floor(p, tools.scene));
 }
 
 }  // namespace
+
+double share_of(std::uint64_t firing, std::uint64_t first, const BeltConfig& belt) noexcept {
+  constexpr double kFirst = 0.75;
+  constexpr double kAgain = 0.5;
+  return firing < first + static_cast<std::uint64_t>(belt.sensors) ? kFirst : kAgain;
+}
 
 void Refinement::begin(std::uint64_t first) noexcept {
   population_.clear();
@@ -58,7 +63,7 @@ bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budg
     for (; cursor_ < particles.size() && spent < budget; ++cursor_) {
       for (std::uint64_t n = reached_; n < round_end_; ++n, ++spent) {
         const auto i = static_cast<std::size_t>(n - reached_);
-        replay(particles[cursor_], tools.history[n], shots[i], n != first_ ? &strides[i] : nullptr, tools, random);
+        replay(particles[cursor_], tools.history[n], shots[i], n != first_ ? &strides[i] : nullptr, share_of(n, first_, tools.belt), tools, random);
       }
     }
     if (cursor_ < particles.size()) return false;
@@ -71,7 +76,7 @@ bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budg
 void Refinement::close_round(Random& random) noexcept {
   reached_ = round_end_;
   cursor_ = 0;
-  log_evidence_ += fast_log(population_.normalize()) / kNewShare;
+  log_evidence_ += fast_log(population_.normalize());
   const double n = static_cast<double>(population_.size());
   if (population_.effective_size() > 0.5 * n) return;
   population_.resample(std::clamp(kParticlesPerCell * population_.occupied_cells(), kFewest, population_.size()), random);

@@ -20,6 +20,11 @@ struct SearchTools {
   double pace;                         ///< The wearer's usual one, m/s.
 };
 
+/// Share of a replayed firing's evidence that counts: three quarters of the first pass of sensors, half of what they say again
+/// later. What stands in no plan is heard again and again, and whichever of thousands of places it fits would drive out the
+/// right one.
+[[nodiscard]] double share_of(std::uint64_t firing, std::uint64_t first, const BeltConfig& belt) noexcept;
+
 /// Brings particles up to the present through past firings, as the tracker itself would have: a particle filter that runs
 /// behind and catches up, cut into slices.
 class Refinement {
