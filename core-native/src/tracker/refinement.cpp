@@ -46,8 +46,8 @@ void Refinement::begin(std::uint64_t first) noexcept {
 }
 
 bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budget) noexcept {
-  std::size_t spent = 0;
-  while (spent < budget) {
+  replayed_ = 0;
+  while (replayed_ < budget) {
     if (cursor_ == 0) {
       if (reached_ == tools.history.end()) return true;
       round_end_ = std::min(reached_ + kRound, tools.history.end());
@@ -60,8 +60,8 @@ bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budg
       strides[i] = Stride(tools.history[n].interval, tools.motion, tools.pace);
     }
     const auto particles = population_.particles();
-    for (; cursor_ < particles.size() && spent < budget; ++cursor_) {
-      for (std::uint64_t n = reached_; n < round_end_; ++n, ++spent) {
+    for (; cursor_ < particles.size() && replayed_ < budget; ++cursor_) {
+      for (std::uint64_t n = reached_; n < round_end_; ++n, ++replayed_) {
         const auto i = static_cast<std::size_t>(n - reached_);
         replay(particles[cursor_], tools.history[n], shots[i], n != first_ ? &strides[i] : nullptr, share_of(n, first_, tools.belt), tools, random);
       }

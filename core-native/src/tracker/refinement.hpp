@@ -38,6 +38,9 @@ class Refinement {
   /// Replays about `budget` firings of single particles. True when all of them have heard everything.
   bool work(const SearchTools& tools, Random& random, std::size_t budget) noexcept;
 
+  /// Firings of single particles that the last slice replayed.
+  [[nodiscard]] std::size_t replayed() const noexcept { return replayed_; }
+
   /// Log of what the weights pushed added up to, times the mean likelihood of the firings since.
   [[nodiscard]] double log_evidence() const noexcept { return log_evidence_; }
 
@@ -49,6 +52,7 @@ class Refinement {
   std::uint64_t reached_ = 0;          ///< All particles have heard the firings before this one,
   std::uint64_t round_end_ = 0;        ///< and those before the cursor the ones before this.
   std::size_t cursor_ = 0;
+  std::size_t replayed_ = 0;
   double log_evidence_ = 0.0;
 };
 

@@ -230,7 +230,11 @@ bool Search::work(const SearchTools& tools, Random& random) noexcept {
     spent += parameters_.cell_cost * (tools.scene.cells_compiled() - compiled);
   }
   if (phase_ != Phase::refining || spent >= budget()) return false;
-  if (!refinement_.work(tools, random, (budget() - spent) / parameters_.replay_cost + 1)) return false;
+  const std::size_t replays = (budget() - spent) / parameters_.replay_cost + 1;
+  if (!refinement_.work(tools, random, replays)) return false;
+  // Taking over what was found costs a firing's time as well: it waits for one with little left to catch up with.
+  const std::size_t a_firing = refinement_.population().size();
+  if (refinement_.replayed() > a_firing) return false;
   finish(tools);
   return true;
 }

@@ -46,7 +46,7 @@ class Search {
     std::size_t second_budget = 50000;   ///< The same while some place is believed in already,
     std::size_t local_budget = 20000;    ///< and of a search that only looks about it.
     std::size_t look_cost = 8;           ///< ... of which a direction that must first be worked out costs so many,
-    std::size_t replay_cost = 7;         ///< a firing that is replayed exactly
+    std::size_t replay_cost = 8;         ///< a firing that is replayed exactly
     std::size_t cell_cost = 800;         ///< and a cell that must first be compiled.
     std::size_t most_candidates = 1500000;
   };
