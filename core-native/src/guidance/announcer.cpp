@@ -44,9 +44,9 @@ bool searches(CueKind kind) noexcept {
   return kind == CueKind::uncertain || kind == CueKind::probe_turn || kind == CueKind::probe_step;
 }
 
+/// Lines that whoever asks again wants to hear. A bare "Stop." is none: who stands has done it, and asks what came before.
 bool instructs(const Cue& cue) noexcept {
   switch (cue.kind) {
-    case CueKind::stop:
     case CueKind::arrived:
     case CueKind::take_link:
       return true;

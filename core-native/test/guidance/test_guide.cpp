@@ -332,6 +332,20 @@ TEST_F(GuideTest, WhoMissedThatTheyArrivedMayAskThoughTheyWereLostMeanwhile) {
   EXPECT_THAT(kinds(wearer.stand(4.0, 1, {4, 3.6}, 0.0)), Contains(CueKind::arrived));
 }
 
+TEST_F(GuideTest, WhoWasStoppedMayAskForWhatWasToldBefore) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  EXPECT_THAT(kinds(wearer.stand(8.0, 1, {4, 3.6}, 0.0)), Contains(CueKind::arrived));
+  Estimate walking = lost(0);
+  walking.speed_mps = 0.8;
+  const auto wall = [](double bearing) { return std::abs(bearing) < 0.1 ? 0.8 : 5.0; };
+  EXPECT_THAT(kinds(wearer.hear(12.0, walking, wall)), Contains(CueKind::stop));
+  (void)wearer.turn_about(6.0, 1, {4, 3.6});
+  EXPECT_TRUE(guide.repeat());
+  const auto cues = kinds(wearer.stand(4.0, 1, {4, 3.6}, 0.0));
+  EXPECT_THAT(cues, Contains(CueKind::arrived));
+  EXPECT_THAT(cues, Not(Contains(CueKind::stop))) << "they stand already";
+}
+
 TEST_F(GuideTest, WhatALostWearerWasAskedToDoIsNotRepeatedOnceTheyAreFound) {
   (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
   (void)wearer.stay(12.0, lost(0));
