@@ -168,7 +168,7 @@ class Wearer {
       todo_.push_back({now + 0.7 + reaction_, cue.kind, 0.0, -1.0, index, {}});
       return;
     }
-    todo_.push_back({now + delay, cue.kind, cue.direction, cue.distance_m, index, cue.landmark});
+    todo_.push_back({now + delay, cue.kind, cue.direction, cue.distance_m, index, cue.landmark, cue.up});
     if (cue.tail.present) todo_.push_back({now + delay + 0.1, cue.tail.kind, cue.tail.direction, cue.tail.distance_m, index, {}});
   }
 
@@ -207,6 +207,7 @@ class Wearer {
     double distance;
     std::size_t cue;
     CueLandmark landmark;
+    bool up = false;
   };
 
   void walk() {
@@ -316,11 +317,14 @@ class Wearer {
     const bool from_b = body_.room() == link.room_b && distance(body_.pose().position, link.at_b) < 2.0;
     walking_ = false;
     if (!from_a && !from_b) return;
+    // Who has gone up already and hears "up" again finds no stairs up.
+    const RoomIndex next = from_a ? link.room_b : link.room_a;
+    if ((router_.building().room(next).level > router_.building().room(body_.room()).level) != act.up) return;
     Crossing& c = crossing_;
     c.link = index;
     c.from = body_.room();
     c.leaving = body_.pose();
-    c.to = from_a ? link.room_b : link.room_a;
+    c.to = next;
     const Room& here = router_.building().room(c.from);
     const Room& there = router_.building().room(c.to);
     const Vec2 at = router_.space(c.to).settle(from_a ? link.at_b : link.at_a, 0.4);
