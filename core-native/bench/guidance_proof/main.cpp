@@ -125,6 +125,7 @@ void print_diary(const Building& b, std::span<const proof::TrackedPose::Entry> d
                 to_degrees(pose.heading));
   };
   std::size_t told = 0;
+  std::size_t doubted = 0;
   double next = 0.0;
   for (const proof::TrackedPose::Entry& e : diary) {
     const bool speaks = told < o.cues.size() && o.cues[told].cue.time_s <= e.time_s;
@@ -144,6 +145,7 @@ void print_diary(const Building& b, std::span<const proof::TrackedPose::Entry> d
       place(heard.acted_room, heard.acted);
       std::printf(", %.0f from the chest, %.2f m)", to_degrees(heard.wanted), heard.reach);
     }
+    for (; doubted < o.doubts.size() && o.doubts[doubted] <= e.time_s; ++doubted) std::printf("  (the guide doubts the place)");
     std::printf("\n");
   }
 }

@@ -76,6 +76,7 @@ void Certainty::update(const Estimate& e, bool suspended) noexcept {
   const bool good = fits && e.sigma_m <= c.found_sigma_m && e.room_probability >= c.found_probability;
   if (!started_) {
     changing_since_ = e.time_s;
+    told_ = good;
     if (good) set_home(e);  // who is found at once was told of
   }
   started_ = true;

@@ -23,6 +23,8 @@ class Certainty {
   [[nodiscard]] bool jumped(double now) const noexcept { return now - jumped_s_ < config_->settle_s; }
   /// Whether the last estimate alone says that the place is known.
   [[nodiscard]] bool fits_now() const noexcept { return fits_now_; }
+  /// Whether the wearer's place was known from the first estimate on: somebody said where they start.
+  [[nodiscard]] bool was_told() const noexcept { return told_; }
   /// Whether it has ever been sure of a place.
   [[nodiscard]] bool was_sure() const noexcept { return was_sure_; }
 
@@ -45,6 +47,7 @@ class Certainty {
   double proof_ = 0.0;           ///< Radians turned to either side since the place was lost or has jumped.
   Level level_ = Level::lost;
   bool was_sure_ = false;
+  bool told_ = false;
   bool fits_now_ = false;
   double doubt_ = 1.0;           ///< How much longer than usual a place must fit to be believed.
   double found_at_ = -1e300;

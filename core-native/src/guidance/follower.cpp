@@ -55,6 +55,7 @@ void Follower::forget_told() {
   arrival_.forget();
   levels_.forget();
   herald_.forget();
+  headway_.forget();
 }
 
 bool Follower::find_way(const Estimate& e) {
@@ -141,6 +142,7 @@ void Follower::update(const Estimate& newest, bool vague, bool turning, Announce
   note_standing(view);
   const bool waits = steering_.watch_stretch(view);
   herald_.note_way();
+  headway_.update(view.now, way_.route().cost, steering_.last_said());
   if (!lingers(view) && !waits) lead_on(view, turning, voice);
 }
 

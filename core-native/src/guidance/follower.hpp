@@ -10,6 +10,7 @@
 #include "guidance/aim.hpp"
 #include "guidance/announcer.hpp"
 #include "guidance/arrival.hpp"
+#include "guidance/headway.hpp"
 #include "guidance/herald.hpp"
 #include "guidance/level_change.hpp"
 #include "guidance/reaction.hpp"
@@ -56,6 +57,8 @@ class Follower {
   /// Echoes need not fit until then: stairs or an elevator were taken.
   [[nodiscard]] double suspended_until() const noexcept { return levels_.suspended_until(); }
   [[nodiscard]] std::optional<LevelTransition> take_transition() noexcept { return levels_.take_transition(); }
+  /// True once each time the wearer gets nowhere though the plan has a way.
+  [[nodiscard]] bool take_doubt() noexcept { return headway_.take_doubt(); }
 
  private:
   void forget_told();
@@ -76,6 +79,7 @@ class Follower {
   LevelChange levels_;
   Herald herald_;
   Standing standing_;
+  Headway headway_;
   double next_look_ = -1e300;
   double still_since_ = -1e300;
   bool was_walking_ = false;

@@ -101,6 +101,7 @@ bool Guide::repeat() { return impl_->voice.ask_again(); }
 
 bool Guide::next_cue(Cue& cue) { return impl_->voice.pop(cue); }
 std::optional<LevelTransition> Guide::take_level_transition() { return impl_->follower.take_transition(); }
+bool Guide::take_doubt() { return impl_->follower.take_doubt() && !impl_->certainty.was_told(); }
 bool Guide::has_destination() const { return impl_->follower.active(); }
 double Guide::obstacle_ahead_m() const { return impl_->obstacle_m; }
 const Route& Guide::route() const { return impl_->follower.route(); }

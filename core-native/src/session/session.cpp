@@ -82,6 +82,7 @@ struct Session::Impl {
       monitor.set_suspicions(locator->suspicions());
       guide.on_estimate(locator->estimate(), locator->hypotheses());
       if (const auto transition = guide.take_level_transition()) locator->on_level_transition(*transition);
+      if (guide.take_doubt()) locator->on_doubt();
     }
     guide.on_firing(firing);
     guide.on_belt_health(monitor.health(), firing.time_s);

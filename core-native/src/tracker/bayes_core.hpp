@@ -32,6 +32,7 @@ class BayesLocator::Core {
   void on_motion(const MotionHint& hint);
   void on_temperature(double celsius);
   void on_level_transition(const LevelTransition& transition) { links_.expect(transition); }
+  void on_doubt() noexcept { doubt_ = Doubt::due; }
 
   [[nodiscard]] const Estimate& estimate() const noexcept { return estimate_; }
   [[nodiscard]] const tracker::Summary& summary() const noexcept { return summary_; }
@@ -83,6 +84,9 @@ class BayesLocator::Core {
   [[nodiscard]] std::optional<double> compass_at(std::uint64_t firing) const;
   void conclude_first_search();
   void challenge();
+  void start_doubting();
+  void conclude_doubt();
+  [[nodiscard]] bool is_doubted(const tracker::Particle& p) const;
   void settle_probation(tracker::Rival::Verdict verdict);
   [[nodiscard]] std::uint64_t search_pause() const;
   [[nodiscard]] double handicap() const;
@@ -98,6 +102,7 @@ class BayesLocator::Core {
   const tracker::EchoModel* model_ = &keen_;   ///< Whichever explains this belt.
   enum class HearingTest { due, running, done } hearing_test_ = HearingTest::due;
   double log_evidence_keen_ = 0.0;
+  enum class Doubt { none, due, running } doubt_ = Doubt::none;   ///< Raised by who leads the wearer.
   mutable scene::Scene scene_;
   tracker::MotionParameters motion_;
   Random random_;

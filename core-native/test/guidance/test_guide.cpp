@@ -604,6 +604,33 @@ TEST_F(GuideTest, SurvivesNonsense) {
   }
 }
 
+TEST_F(GuideTest, DoubtsAPlaceThatNobodyToldWhereTheWearerGetsNowhere) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  (void)wearer.stay(5.0, lost(0));
+  (void)wearer.turn_about(10.0, 0, {1, 2.5});
+  (void)wearer.stand(15.0, 0, {1, 2.5}, 0.0);
+  EXPECT_FALSE(guide.take_doubt()) << "they have hardly been told";
+  // Sent on again and again, they stay where they are.
+  (void)wearer.stand(120.0, 0, {1, 2.5}, 0.0);
+  EXPECT_TRUE(guide.take_doubt());
+  EXPECT_FALSE(guide.take_doubt()) << "once is enough";
+}
+
+TEST_F(GuideTest, DoesNotDoubtAPlaceThatTheWearerTold) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  (void)wearer.stand(150.0, 0, {1, 2.5}, 0.0);
+  EXPECT_FALSE(guide.take_doubt()) << "something stands in their way";
+}
+
+TEST_F(GuideTest, AfterARestartThePlaceIsDoubtedByTheNewStartAlone) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  (void)wearer.stay(5.0, lost(0));
+  (void)wearer.turn_about(10.0, 0, {1, 2.5});
+  guide.on_restart();
+  (void)wearer.stand(150.0, 0, {1, 2.5}, 0.0);
+  EXPECT_FALSE(guide.take_doubt()) << "now they said where they are";
+}
+
 TEST(Guide, SendsTheWearerUpTheStairsAndTellsTheTracker) {
   Building b;
   b.rooms.push_back(test::make_box("1", 6, 4));

@@ -429,6 +429,10 @@ WalkOutcome walk_blindfolded(const Router& router, const Spot& start, double hea
     }
     if (wearer.asks()) guide.repeat();
     if (const auto transition = guide.take_level_transition()) source.on_level_transition(*transition);
+    if (guide.take_doubt()) {
+      source.on_doubt();
+      outcome.doubts.push_back(now);
+    }
     Cue cue;
     while (guide.next_cue(cue)) {
       outcome.words.push_back(speaker.say(cue));

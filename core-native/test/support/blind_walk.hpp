@@ -43,6 +43,7 @@ class PoseSource {
   /// The wearer is between two levels. By default nothing new is known meanwhile.
   virtual void observe_between(double /*time_s*/, const Crossing& /*crossing*/, Guide& /*guide*/) {}
   virtual void on_level_transition(const LevelTransition&) {}
+  virtual void on_doubt() {}
   /// What stands in a room and is in no plan; a wearer who walks into it is stopped. In the room's frame.
   [[nodiscard]] virtual std::vector<Segment> things(RoomIndex /*room*/) { return {}; }
 };
@@ -89,6 +90,7 @@ struct WalkOutcome {
   int bumps = 0;        ///< and times something that no plan knows was.
   int wrong_cues = 0;   ///< Instructions that pointed into a wall.
   int instructions = 0;
+  std::vector<double> doubts;  ///< When the guide doubted the place.
   double end_error_m = 0.0;
   std::vector<HeardCue> cues;
   std::vector<std::string> words;  ///< Of the cues, in English.

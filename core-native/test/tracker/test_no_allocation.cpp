@@ -66,6 +66,7 @@ TEST(BayesLocator, AllocatesNothingWhileItSearchesAndTracks) {
   for (const Firing& f : walk->scans.firings) {
     while (hint < walk->motion.size() && walk->motion[hint].time_s <= f.time_s) locator.on_motion(walk->motion[hint++]);
     locator.on_firing(f);
+    if (f.time_s > 12.0 && f.time_s < 12.1) locator.on_doubt();
   }
   EXPECT_EQ(allocations.load() - before, 0);
 }

@@ -58,6 +58,10 @@ class Guide {
   /// Set once each time the wearer is sent over stairs or into an elevator: pass it to the locator.
   [[nodiscard]] std::optional<LevelTransition> take_level_transition();
 
+  /// True once each time the wearer gets nowhere though the plan has a way, in a place that the locator found and nobody
+  /// told: pass it on, they may be elsewhere.
+  [[nodiscard]] bool take_doubt();
+
   [[nodiscard]] bool has_destination() const;
   /// Distance of the nearest thing in the way that no plan knows, metres from the chest; negative without one.
   [[nodiscard]] double obstacle_ahead_m() const;

@@ -51,6 +51,9 @@ class Locator {
   /// A hint, not a fact: the wearer may stay.
   virtual void on_level_transition(const LevelTransition& /*transition*/) {}
 
+  /// The wearer gets nowhere as if they were where estimate() says: other places are to be looked for. Evidence, not a fact.
+  virtual void on_doubt() {}
+
   [[nodiscard]] virtual const Estimate& estimate() const = 0;
   /// Most probable first; at least one once estimate() has a room.
   [[nodiscard]] virtual std::span<const Hypothesis> hypotheses() const = 0;
