@@ -70,6 +70,7 @@ bool BayesLocator::Core::on_firing(const Firing& firing) {
   history_.push(take_down(firing, seconds));
   Record& record = history_.back();
   near_in_a_row_ = record.echo && record.range < kCoatRange ? near_in_a_row_ + 1 : 0;
+  if (covered()) record.trust = 0.0;
 
   if (const auto rate = hints_.take_still_rate()) stand_still(*rate);
   const auto gait = hints_.take_gait_evidence(firing.time_s, record.interval.seconds);
@@ -295,7 +296,7 @@ void BayesLocator::Core::see_who_is_away() {
 }
 
 TrackState BayesLocator::Core::state() const {
-  if (away_ > 0.5 || near_in_a_row_ >= 2 * belt_.sensors) return TrackState::searching;
+  if (away_ > 0.5 || covered()) return TrackState::searching;
   if (fit_.poor()) return TrackState::lost;
   const bool tracking = summary_.hypotheses[0].probability > kSure && estimate_.sigma_m < kSharp;
   return tracking ? TrackState::tracking : TrackState::searching;

@@ -74,6 +74,7 @@ class BayesLocator::Core {
   void learn_pace(double time_s);
   void stand_still(double rate);
   void see_who_is_away();
+  [[nodiscard]] bool covered() const noexcept { return near_in_a_row_ >= 2 * belt_.sensors; }
   [[nodiscard]] TrackState state() const;
 
   // Searching and recovering.
