@@ -15,7 +15,9 @@ constexpr std::uint64_t kBlindRecoveryWindow = 20;   // The same without a gyros
 constexpr std::uint64_t kSearchPause = 48;           // Firings between searches,
 constexpr int kMostDoublings = 3;                    // doubled so often at most while they find nothing;
 constexpr std::uint64_t kBlindPause = 24;            // without a gyroscope, which a wrong belief could lean on,
-constexpr std::uint64_t kUnconfirmedPause = 32;      // and while no place has proved itself yet.
+constexpr std::uint64_t kUnconfirmedPause = 24;      // while no place has proved itself yet,
+constexpr std::uint64_t kBlindUnconfirmedPause = 32; // and both.
+constexpr int kSecondOpinions = 3;                   // Searches in vain after which a place that looks right is left to prove itself.
 constexpr double kSomewhere = 0.1;                   // Probability of the likeliest place from which on there is something to doubt.
 constexpr double kSurelyAway = 0.5;                  // Who is on the stairs is looked for where they lead.
 
@@ -93,7 +95,8 @@ void BayesLocator::Core::start_recovery() {
   }
   // While all sorts of places are possible there is nothing that a search could correct.
   const bool somewhere = summary_.hypotheses[0].probability > kSomewhere;
-  const bool unsure = fit_.doubtful() || (unconfirmed_ > 0 && somewhere && estimate_.state != TrackState::tracking);
+  const bool unproved = estimate_.state != TrackState::tracking || (gyro_ && fruitless_ < kSecondOpinions);
+  const bool unsure = fit_.doubtful() || (unconfirmed_ > 0 && somewhere && unproved);
   if (away_ > kPerhapsAway || !unsure || echoes_since(begin) < kFewestEchoes) return;
   if (unconfirmed_ > 0) {
     if (start_.room && fruitless_ == 0) domain.only_room = *start_.room;
@@ -228,7 +231,7 @@ double BayesLocator::Core::handicap() const {
 // Searching again and again what has just been searched in vain costs time and, sooner or later, finds something by chance.
 std::uint64_t BayesLocator::Core::search_pause() const {
   if (fruitless_ == 0 && last_search_ == 0) return 0;
-  if (unconfirmed_ > 0) return kUnconfirmedPause;
+  if (unconfirmed_ > 0) return gyro_ ? kUnconfirmedPause : kBlindUnconfirmedPause;
   if (fit_.poor() && !gyro_) return kBlindPause;
   return kSearchPause << std::min(fit_.poor() ? fruitless_ / kCircles : fruitless_, kMostDoublings);
 }
