@@ -9,7 +9,7 @@
 namespace echoway::tracker {
 namespace {
 
-constexpr std::uint64_t kRound = 12;              // Firings between looks at the weights.
+constexpr std::uint64_t kRound = 5;               // Firings between looks at the weights.
 constexpr std::size_t kParticlesPerCell = 14;
 constexpr std::size_t kFewest = 400;
 constexpr double kSpread = degrees(1.0);          // Radians by which copies of a particle part.
