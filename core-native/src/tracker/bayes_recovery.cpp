@@ -96,8 +96,8 @@ void BayesLocator::Core::start_recovery() {
   // While all sorts of places are possible there is nothing that a search could correct.
   const bool somewhere = summary_.hypotheses[0].probability > kSomewhere;
   const bool unproved = estimate_.state != TrackState::tracking || (gyro_ && fruitless_ < kSecondOpinions);
-  const bool unsure = fit_.doubtful() || (unconfirmed_ > 0 && somewhere && unproved);
-  if (away_ > kPerhapsAway || !unsure || echoes_since(begin) < kFewestEchoes) return;
+  const bool unsure = fit_.doubtful() || (unconfirmed_ > 0 && unproved);
+  if (away_ > kPerhapsAway || !somewhere || !unsure || echoes_since(begin) < kFewestEchoes) return;
   if (unconfirmed_ > 0) {
     if (start_.room && fruitless_ == 0) domain.only_room = *start_.room;
     domain.level_heading = compass_at(begin);
