@@ -207,8 +207,9 @@ bool BayesLocator::Core::hears_far() const {
 // What the search found may become a rival of the belief.
 void BayesLocator::Core::challenge() {
   const std::uint64_t now = history_.end();
+  const std::uint64_t first = search_.window_begin();
   double log_main = 0.0;
-  for (std::uint64_t n = search_.window_begin(); n < now; ++n) log_main += share_of(n, search_.window_begin(), belt_) * history_[n].log_main;
+  for (std::uint64_t n = first; n < now; ++n) log_main += share_of(n, first, belt_) * history_[n].log_main;
   const double odds = search_.log_evidence() - log_main + (search_.is_local() ? kLogFoundNear : kLogFoundFar);
   last_search_ = now;
   ++searches_;

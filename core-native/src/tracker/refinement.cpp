@@ -63,7 +63,8 @@ bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budg
     for (; cursor_ < particles.size() && replayed_ < budget; ++cursor_) {
       for (std::uint64_t n = reached_; n < round_end_; ++n, ++replayed_) {
         const auto i = static_cast<std::size_t>(n - reached_);
-        replay(particles[cursor_], tools.history[n], shots[i], n != first_ ? &strides[i] : nullptr, share_of(n, first_, tools.belt), tools, random);
+        const Stride* stride = n != first_ ? &strides[i] : nullptr;
+        replay(particles[cursor_], tools.history[n], shots[i], stride, share_of(n, first_, tools.belt), tools, random);
       }
     }
     if (cursor_ < particles.size()) return false;
