@@ -16,6 +16,8 @@ class Headway {
   [[nodiscard]] bool take_doubt() noexcept { return std::exchange(doubt_, false); }
 
  private:
+  void count_from(double cost) noexcept;
+
   double least_ = 1e300;        ///< Cost of what was left when they were nearest.
   double cost_ = 1e300;         ///< Of what was left at the last update.
   double led_s_ = 0.0;          ///< Seconds of being led since then,

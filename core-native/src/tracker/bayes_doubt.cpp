@@ -1,0 +1,62 @@
+#include <algorithm>
+#include <cmath>
+
+#include "tracker/bayes_core.hpp"
+
+namespace echoway {
+
+using namespace tracker;
+
+namespace {
+
+constexpr std::uint64_t kDoubtWindow = 80;           // Firings that a search out of doubt looks back on.
+constexpr std::size_t kKept = 1200;                  // Particles of the belief that is doubted.
+constexpr double kLeastHere = 0.2;                   // What a search, which is coarse, may miss of it.
+constexpr double kDoubtedOdds = 0.5;                 // Of the place that is doubted,
+constexpr double kDoubted = 1.0;                     // which reaches so many metres
+constexpr double kDoubtedTurn = degrees(60.0);       // and so far round.
+
+}  // namespace
+
+// Who leads the wearer has reason to think them elsewhere, whatever the echoes say: everywhere is looked at again.
+void BayesLocator::Core::start_doubting() {
+  const std::uint64_t now = history_.end();
+  if (hearing_test_ != HearingTest::done || away_ > kPerhapsAway || now < kDoubtWindow) return;
+  const std::uint64_t begin = now - kDoubtWindow;
+  if (echoes_since(begin) < kFewestEchoes) return;
+  rival_.dismiss();
+  search_.start(SearchDomain{}, begin, now);
+  doubt_ = Doubt::running;
+}
+
+// Other places that explain the echoes are believed beside the one that is doubted, as far as the echoes speak for them.
+void BayesLocator::Core::conclude_doubt() {
+  doubt_ = Doubt::none;
+  last_search_ = history_.end();
+  Population& found = rival_.population();
+  search_.take(found, random_);
+  double here = 0.0;
+  for (Particle& p : found.particles()) {
+    if (!is_doubted(p)) continue;
+    here += p.weight;
+    p.weight = 0.0;
+  }
+  const double kept = kDoubtedOdds * std::max(here, kLeastHere);
+  main_.resample(std::min(main_.size(), kKept), random_);
+  for (Particle& p : main_.particles()) p.weight *= kept;
+  for (const Particle& p : found.particles()) {
+    if (p.weight > 0.0) main_.push(p);
+  }
+  main_.normalize();
+  rival_.dismiss();
+  if (1.0 - here < 0.5 * kept) return;  // nothing else will do
+  unconfirmed_ = kConfirmed;
+  fruitless_ = 0;
+}
+
+bool BayesLocator::Core::is_doubted(const Particle& p) const {
+  return p.room == estimate_.room && distance(p.position, estimate_.pose.position) < kDoubted &&
+         std::abs(wrap_angle(p.heading - estimate_.pose.heading)) < kDoubtedTurn;
+}
+
+}  // namespace echoway
