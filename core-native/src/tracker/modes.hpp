@@ -34,6 +34,7 @@ class Modes {
  private:
   /// Places of a summary, and last whatever lies elsewhere.
   static constexpr std::size_t kMost = Summary::kMaxClusters + 1;
+  static_assert(kMost <= Population::kMostModes);
 
   [[nodiscard]] std::size_t nearest(const Placed& at, std::size_t count) const noexcept;
 

@@ -165,9 +165,10 @@ void Population::resample(std::span<const std::uint8_t> mode_of, std::span<const
 // Systematic resampling of the particles of one mode to the front of `out`; returns how many.
 std::size_t Population::draw_mode(std::span<const std::uint8_t> mode_of, std::size_t mode, std::size_t target,
                                   std::span<Particle> out, Random& random) const noexcept {
+  if (target == 0) return 0;
   double weight = 0.0;
   for (std::size_t i = 0; i < count_; ++i) weight += mode_of[i] == mode ? particles_[i].weight : 0.0;
-  if (!(weight > 0.0) || target == 0) return 0;
+  if (!(weight > 0.0)) return 0;
   const double step = weight / static_cast<double>(target);
   double at = random.uniform() * step;
   double reached = 0.0;

@@ -14,6 +14,8 @@ namespace echoway::tracker {
 /// Until it is resampled by modes, all of it is one.
 class Population {
  public:
+  static constexpr std::size_t kMostModes = 16;
+
   explicit Population(std::size_t capacity);
 
   [[nodiscard]] std::span<Particle> particles() noexcept { return {particles_.data(), count_}; }
@@ -44,6 +46,7 @@ class Population {
   void resample(std::size_t target, Random& random) noexcept;
   /// The same for each mode by itself: `mode_of` says per particle which it belongs to, `targets` per mode how many it shall
   /// have, of equal weight and together of the mode's. Modes without a particle to come are left out.
+  /// REQUIRES: at most kMostModes.
   void resample(std::span<const std::uint8_t> mode_of, std::span<const std::size_t> targets, Random& random) noexcept;
 
   /// Lets only `share` of what the weights have learnt since weigh_modes() count between modes; within each, all of it does.
@@ -51,7 +54,6 @@ class Population {
   void temper_modes(double share) noexcept;
 
  private:
-  static constexpr std::size_t kMostModes = 16;
   struct Mode {
     std::size_t begin = 0, end = 0;
     double weight = 0.0;                  ///< When it was weighed last.

@@ -7,6 +7,12 @@
 #include "tracker/floor.hpp"
 
 namespace echoway::tracker {
+double share_of(std::uint64_t firing, std::uint64_t first, const BeltConfig& belt) noexcept {
+  constexpr double kFirst = 0.75;
+  constexpr double kAgain = 0.5;
+  return firing < first + static_cast<std::uint64_t>(belt.sensors) ? kFirst : kAgain;
+}
+
 namespace {
 
 constexpr std::uint64_t kRound = 5;               // Firings between looks at the weights.
@@ -22,21 +28,27 @@ Shot shot_of_past(const Record& record, const BeltConfig& belt) noexcept {
   return shot;
 }
 
-// Replays one firing; no `stride` when the way since the firing before does not count.
-void replay(Particle& p, const Record& record, const Shot& shot, const Stride* stride, double share, const SearchTools& tools,
-            Random& random) noexcept {
-  if (stride != nullptr) stride->advance(p, random);
-  if (record.trust > 0.0) p.weight *= tempered(assimilate(p, shot, tools.model, tools.scene).density, share * record.novelty);
+// A firing of the past, worked out once for all particles.
+struct Past {
+  Shot shot;
+  Stride stride;             ///< Since the firing before,
+  bool first = false;        ///< which does not count for the first.
+  double evidence = 0.0;     ///< Share of what it says that counts.
+};
+
+Past past_of(std::uint64_t firing, std::uint64_t first, const SearchTools& tools) noexcept {
+  const Record& record = tools.history[firing];
+  return {shot_of_past(record, tools.belt), Stride(record.interval, tools.motion, tools.pace), firing == first,
+          share_of(firing, first, tools.belt) * record.novelty};
+}
+
+void replay(Particle& p, const Past& past, const SearchTools& tools, Random& random) noexcept {
+  if (!past.first) past.stride.advance(p, random);
+  if (past.shot.trust > 0.0) p.weight *= tempered(assimilate(p, past.shot, tools.model, tools.scene).density, past.evidence);
   p.weight *= std::max(1e-9, settle_on_floor(p, tools.scene));
 }
 
 }  // namespace
-
-double share_of(std::uint64_t firing, std::uint64_t first, const BeltConfig& belt) noexcept {
-  constexpr double kFirst = 0.75;
-  constexpr double kAgain = 0.5;
-  return firing < first + static_cast<std::uint64_t>(belt.sensors) ? kFirst : kAgain;
-}
 
 void Refinement::begin(std::uint64_t first) noexcept {
   population_.clear();
@@ -52,20 +64,12 @@ bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budg
       if (reached_ == tools.history.end()) return true;
       round_end_ = std::min(reached_ + kRound, tools.history.end());
     }
-    std::array<Shot, kRound> shots;
-    std::array<Stride, kRound> strides;
-    for (std::uint64_t n = reached_; n < round_end_; ++n) {
-      const auto i = static_cast<std::size_t>(n - reached_);
-      shots[i] = shot_of_past(tools.history[n], tools.belt);
-      strides[i] = Stride(tools.history[n].interval, tools.motion, tools.pace);
-    }
+    std::array<Past, kRound> round;
+    const auto firings = static_cast<std::size_t>(round_end_ - reached_);
+    for (std::size_t i = 0; i < firings; ++i) round[i] = past_of(reached_ + i, first_, tools);
     const auto particles = population_.particles();
     for (; cursor_ < particles.size() && replayed_ < budget; ++cursor_) {
-      for (std::uint64_t n = reached_; n < round_end_; ++n, ++replayed_) {
-        const auto i = static_cast<std::size_t>(n - reached_);
-        const Stride* stride = n != first_ ? &strides[i] : nullptr;
-        replay(particles[cursor_], tools.history[n], shots[i], stride, share_of(n, first_, tools.belt), tools, random);
-      }
+      for (std::size_t i = 0; i < firings; ++i, ++replayed_) replay(particles[cursor_], round[i], tools, random);
     }
     if (cursor_ < particles.size()) return false;
     close_round(random);
