@@ -318,7 +318,7 @@ class Wearer {
     walking_ = false;
     if (!from_a && !from_b) return;
     // Who has gone up already and hears "up" again finds no stairs up.
-    const RoomIndex next = from_a ? link.room_b : link.room_a;
+    const RoomIndex next = link.beyond(body_.room());
     if ((router_.building().room(next).level > router_.building().room(body_.room()).level) != act.up) return;
     Crossing& c = crossing_;
     c.link = index;

@@ -23,6 +23,15 @@ inline Room room_from_outline(std::string id, std::vector<Vec2> outline) {
   return room;
 }
 
+inline constexpr Vec2 kFarCorner{8.0, 3.0};
+
+/// A rectangle from the origin to kFarCorner: it looks the same both ways round.
+inline Building plain_hall() {
+  Building b;
+  b.rooms.push_back(room_from_outline("hall", {{0, 0}, {kFarCorner.x, 0}, kFarCorner, {0, kFarCorner.y}}));
+  return b;
+}
+
 inline void join(Building& b, RoomIndex x, RoomIndex y, Vec2 on_level, double width = 0.95) {
   b.doors.push_back({x, b.room(x).frame.inverse_transform(on_level), y, b.room(y).frame.inverse_transform(on_level), width});
 }

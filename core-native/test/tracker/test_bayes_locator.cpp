@@ -9,6 +9,7 @@
 #include "echoway/sim/random_walk.hpp"
 #include "echoway/sim/simulate.hpp"
 #include "tracker/plans.hpp"
+#include "tracker/play.hpp"
 
 namespace echoway {
 namespace {
@@ -33,21 +34,20 @@ struct Score {
 
 Score follow(Locator& locator, const Building& building, const sim::Simulation& s, bool hints, std::size_t from = 0) {
   Score score;
-  std::size_t hint = 0, counted = 0;
-  for (std::size_t i = 0; i < s.scans.firings.size(); ++i) {
-    while (hints && hint < s.motion.size() && s.motion[hint].time_s <= s.scans.firings[i].time_s) locator.on_motion(s.motion[hint++]);
-    locator.on_firing(s.scans.firings[i]);
+  std::size_t counted = 0;
+  const auto judge = [&](std::size_t i) {
     const Estimate& e = locator.estimate();
     EXPECT_TRUE(is_finite(e.pose) && std::isfinite(e.sigma_m));
     score.track.push_back(e.pose);
-    if (i < from) continue;
+    if (i < from) return;
     const RoomIndex room = building.find_room(s.truth[i].room);
     const Vec2 got = building.room(e.room).frame.transform(e.pose.position);
     const Vec2 want = building.room(room).frame.transform(s.truth[i].pose.position);
     score.mean_m += distance(got, want);
     score.room_share += e.room == room;
     ++counted;
-  }
+  };
+  test::play(s, locator, judge, hints);
   score.mean_m /= static_cast<double>(counted);
   score.room_share /= static_cast<double>(counted);
   return score;
@@ -80,8 +80,7 @@ TEST(BayesLocator, FindsAWearerOfWhomNothingIsKnown) {
 // A rectangle looks the same both ways round, for as long as one walks about in it.
 TEST(BayesLocator, KeepsBothPlacesOfASymmetricRoomInMind) {
   constexpr double kKnown = 5.0;   // Seconds after which a first search has ended.
-  Building building;
-  building.rooms.push_back(test::room_from_outline("hall", {{0, 0}, {8, 0}, {8, 3}, {0, 3}}));
+  const Building building = test::plain_hall();
   int firings = 0, kept = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const auto walk = walk_through(building, seed, 30.0);
@@ -89,16 +88,12 @@ TEST(BayesLocator, KeepsBothPlacesOfASymmetricRoomInMind) {
     const auto holds = [&](Vec2 place) {
       return std::ranges::any_of(locator.hypotheses(), [&](const Hypothesis& h) { return distance(h.pose.position, place) < 0.6; });
     };
-    std::size_t hint = 0;
-    for (std::size_t i = 0; i < walk.scans.firings.size(); ++i) {
-      const Firing& firing = walk.scans.firings[i];
-      while (hint < walk.motion.size() && walk.motion[hint].time_s <= firing.time_s) locator.on_motion(walk.motion[hint++]);
-      locator.on_firing(firing);
-      if (firing.time_s < kKnown) continue;
+    test::play(walk, locator, [&](std::size_t i) {
+      if (walk.scans.firings[i].time_s < kKnown) return;
       const Vec2 here = walk.truth[i].pose.position;
-      kept += holds(here) && holds(Vec2{8.0, 3.0} - here) ? 1 : 0;
+      kept += holds(here) && holds(test::kFarCorner - here) ? 1 : 0;
       ++firings;
-    }
+    });
   }
   EXPECT_GT(kept, firings * 3 / 4);
 }

@@ -8,41 +8,32 @@
 #include "echoway/sim/simulate.hpp"
 #include "echoway/tracker/bayes_locator.hpp"
 #include "tracker/plans.hpp"
+#include "tracker/play.hpp"
 
 namespace echoway {
 namespace {
 
 constexpr double kDoubted = 15.0;  // s
-constexpr Vec2 kFarCorner{8.0, 3.0};
-
-Building hall() {
-  Building building;
-  building.rooms.push_back(test::room_from_outline("hall", {{0, 0}, kFarCorner - Vec2{0, 3}, kFarCorner, {0, 3}}));
-  return building;
-}
+using test::kFarCorner;
 
 /// Whether the true place is ever among the likely ones after kDoubted; or, with `keeps`, the place that was told.
 bool is_considered(std::uint64_t seed, bool doubted, bool keeps = false) {
-  const Building building = hall();
+  const Building building = test::plain_hall();
   sim::RandomWalkOptions options;
   options.duration_s = 30.0;
   const auto walk = sim::simulate(building, sim::random_walk(building, options, seed));
   if (!walk) return false;
   const Pose2 begin = walk->truth.front().pose;
   BayesLocator locator(building, {}, {0, kFarCorner - begin.position, wrap_angle(begin.heading + kPi)});
-  std::size_t hint = 0;
   bool told = false, considered = false;
-  for (std::size_t i = 0; i < walk->scans.firings.size(); ++i) {
-    const Firing& firing = walk->scans.firings[i];
-    while (hint < walk->motion.size() && walk->motion[hint].time_s <= firing.time_s) locator.on_motion(walk->motion[hint++]);
-    locator.on_firing(firing);
-    if (firing.time_s < kDoubted) continue;
+  test::play(*walk, locator, [&](std::size_t i) {
+    if (walk->scans.firings[i].time_s < kDoubted) return;
     if (doubted && !std::exchange(told, true)) locator.on_doubt();
     const Vec2 here = keeps ? kFarCorner - walk->truth[i].pose.position : walk->truth[i].pose.position;
     considered = considered || std::ranges::any_of(locator.hypotheses(), [&](const Hypothesis& h) {
       return h.probability > 0.1 && distance(h.pose.position, here) < 0.5;
     });
-  }
+  });
   return considered;
 }
 

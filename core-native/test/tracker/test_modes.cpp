@@ -11,12 +11,6 @@ constexpr Vec2 kHere{1.0, 1.0};
 constexpr Vec2 kThere{7.0, 1.0};
 constexpr std::size_t kParticles = 100;
 
-Building hall() {
-  Building b;
-  b.rooms.push_back(test::room_from_outline("hall", {{0, 0}, {8, 0}, {8, 3}, {0, 3}}));
-  return b;
-}
-
 /// `share` of the weight at kThere, turned round; the rest at kHere.
 Population belief_in_two_places(double share) {
   Population population(400);
@@ -47,7 +41,7 @@ class ModesTest : public ::testing::Test {
     }
   }
 
-  Building building_ = hall();
+  Building building_ = test::plain_hall();
   Modes modes_{400, Modes::Parameters{}};
   Random random_{1};
 };

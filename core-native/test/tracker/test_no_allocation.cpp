@@ -11,6 +11,7 @@
 #include "echoway/tracker/bayes_locator.hpp"
 #include "support/plans.hpp"
 #include "tracker/plans.hpp"
+#include "tracker/play.hpp"
 
 namespace {
 std::atomic<long> allocations{0};
@@ -61,13 +62,11 @@ TEST(BayesLocator, AllocatesNothingWhileItSearchesAndTracks) {
   const auto walk = sim::simulate(building, sim::random_walk(building, options, 11));
   ASSERT_TRUE(walk.ok());
   BayesLocator locator(building, {}, {});
-  std::size_t hint = 0;
   const long before = allocations.load();
-  for (const Firing& f : walk->scans.firings) {
-    while (hint < walk->motion.size() && walk->motion[hint].time_s <= f.time_s) locator.on_motion(walk->motion[hint++]);
-    locator.on_firing(f);
-    if (f.time_s > 12.0 && f.time_s < 12.1) locator.on_doubt();
-  }
+  test::play(*walk, locator, [&](std::size_t i) {
+    const double now = walk->scans.firings[i].time_s;
+    if (now > 12.0 && now < 12.1) locator.on_doubt();
+  });
   EXPECT_EQ(allocations.load() - before, 0);
 }
 

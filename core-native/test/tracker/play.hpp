@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+
+#include "echoway/locate/locator.hpp"
+#include "echoway/sim/simulate.hpp"
+
+namespace echoway::test {
+
+/// Plays a walk to `locator`, each motion hint before the firing that follows it; `after(i)` after firing number i.
+template <class After>
+void play(const sim::Simulation& walk, Locator& locator, After&& after, bool hints = true) {
+  std::size_t hint = 0;
+  for (std::size_t i = 0; i < walk.scans.firings.size(); ++i) {
+    const Firing& firing = walk.scans.firings[i];
+    while (hints && hint < walk.motion.size() && walk.motion[hint].time_s <= firing.time_s) locator.on_motion(walk.motion[hint++]);
+    locator.on_firing(firing);
+    after(i);
+  }
+}
+
+}  // namespace echoway::test
