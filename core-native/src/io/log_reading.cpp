@@ -60,25 +60,7 @@ constexpr BeltKey kBeltKeys[] = {
     {"temperature_c", -60, 100, [](BeltHeader& b, double v) { b.temperature_c = v; }},
 };
 
-/// `key value` sets something; any other comment is prose.
-Problem read_belt_comment(std::string_view comment, BeltHeader& belt) {
-  const std::size_t blank = comment.find_first_of(" \t");
-  if (blank == std::string_view::npos) return std::nullopt;
-  const std::string_view key = comment.substr(0, blank);
-  const std::string_view value_text = text::trim(comment.substr(blank));
-  if (value_text.find_first_of(" \t") != std::string_view::npos) return std::nullopt;
-  for (const BeltKey& known : kBeltKeys) {
-    if (known.key != key) continue;
-    const auto value = text::parse_number(value_text);
-    const bool whole = key != "sensors" || (value && *value == std::floor(*value));
-    if (!value || *value < known.low || *value > known.high || !whole) {
-      return "'" + std::string(value_text) + "' is no sensible value for " + std::string(key);
-    }
-    known.set(belt, *value);
-  }
-  return std::nullopt;
-}
-
+/// Unlike text::split_tokens(): a comment is prose, in which quotes and # mean nothing.
 std::vector<std::string_view> words_of(std::string_view line) {
   std::vector<std::string_view> words;
   while (!(line = text::trim(line)).empty()) {
@@ -87,6 +69,22 @@ std::vector<std::string_view> words_of(std::string_view line) {
     line.remove_prefix(end);
   }
   return words;
+}
+
+/// `key value` sets something; any other comment is prose.
+Problem read_belt_comment(std::string_view comment, BeltHeader& belt) {
+  const std::vector<std::string_view> words = words_of(comment);
+  if (words.size() != 2) return std::nullopt;
+  for (const BeltKey& known : kBeltKeys) {
+    if (known.key != words[0]) continue;
+    const auto value = text::parse_number(words[1]);
+    const bool whole = known.key != "sensors" || (value && *value == std::floor(*value));
+    if (!value || *value < known.low || *value > known.high || !whole) {
+      return "'" + std::string(words[1]) + "' is no sensible value for " + std::string(known.key);
+    }
+    known.set(belt, *value);
+  }
+  return std::nullopt;
 }
 
 /// `restart time_s room x_m y_m heading_deg`, a `-` where something was not said; any other comment is prose.

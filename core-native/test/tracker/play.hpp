@@ -2,19 +2,19 @@
 
 #include <cstddef>
 
-#include "echoway/locate/locator.hpp"
 #include "echoway/sim/simulate.hpp"
 
 namespace echoway::test {
 
-/// Plays a walk to `locator`, each motion hint before the firing that follows it; `after(i)` after firing number i.
-template <class After>
-void play(const sim::Simulation& walk, Locator& locator, After&& after, bool hints = true) {
+/// Plays a walk to a locator or a session, each motion hint before the firing that follows it; `after(i)` after firing
+/// number i.
+template <class Listener, class After>
+void play(const sim::Simulation& walk, Listener& listener, After&& after, bool hints = true) {
   std::size_t hint = 0;
   for (std::size_t i = 0; i < walk.scans.firings.size(); ++i) {
     const Firing& firing = walk.scans.firings[i];
-    while (hints && hint < walk.motion.size() && walk.motion[hint].time_s <= firing.time_s) locator.on_motion(walk.motion[hint++]);
-    locator.on_firing(firing);
+    while (hints && hint < walk.motion.size() && walk.motion[hint].time_s <= firing.time_s) listener.on_motion(walk.motion[hint++]);
+    listener.on_firing(firing);
     after(i);
   }
 }

@@ -49,7 +49,7 @@ std::string check(const BeltHealth& health) {
 }
 
 bool usable(const Spot& spot, const Building& building) {
-  return is_finite(spot.at) && spot.room >= kNoRoom && spot.room < static_cast<RoomIndex>(building.rooms.size());
+  return is_finite(spot.at) && (spot.room == kNoRoom || building.has_room(spot.room));
 }
 
 std::string check(const Cue& cue) {
