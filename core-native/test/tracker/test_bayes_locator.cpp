@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "echoway/building/loader.hpp"
 #include "echoway/sim/random_walk.hpp"
 #include "echoway/sim/simulate.hpp"
 #include "tracker/plans.hpp"
@@ -75,6 +76,23 @@ TEST(BayesLocator, FindsAWearerOfWhomNothingIsKnown) {
     RecordProperty("mean_m_" + std::to_string(seed), std::to_string(score.mean_m));
   }
   EXPECT_GE(found, 3 * kWalks / 4);
+}
+
+// Where a room looks alike from two sides a turn that no gyroscope tells may be taken for another one. Eight walks, two of
+// which go that way: a belief turned round must not walk away from its wearer.
+TEST(BayesLocator, NoticesATurnThatNoGyroscopeTold) {
+  constexpr int kWalks = 8;
+  const auto building = load_building(std::string(ECHOWAY_MAPS_DIR) + "/torgersen-lab");
+  ASSERT_TRUE(building.ok());
+  double mean_m = 0.0;
+  for (std::uint64_t seed = 905; seed < 905 + kWalks; ++seed) {
+    const auto walk = walk_through(*building, seed * 101 + 7, 80.0);
+    BayesLocator locator(*building, {}, start_at(*building, walk.truth.front()));
+    const Score score = follow(locator, *building, walk, false);
+    EXPECT_LT(score.mean_m, 1.0) << seed;
+    mean_m += score.mean_m / kWalks;
+  }
+  EXPECT_LT(mean_m, 0.2);
 }
 
 // A rectangle looks the same both ways round, for as long as one walks about in it.
