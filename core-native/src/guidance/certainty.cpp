@@ -69,10 +69,25 @@ void Certainty::become(Level level, double now) noexcept {
   proof_ = 0.0;
 }
 
+void Certainty::reject(double now) noexcept {
+  become(Level::lost, now);
+  home_ = {};
+}
+
+/// Near things that no plan knows the echoes do not fit although the place is right. It is where they were last known.
+bool Certainty::holds_though_unfit(const Estimate& e) const noexcept {
+  return was_sure_ && e.state == TrackState::lost && is_narrow(e) && is_within_walk(e);
+}
+
+bool Certainty::is_narrow(const Estimate& e) const noexcept {
+  return is_finite(e.pose) && e.room != kNoRoom && e.sigma_m <= config_->vague_sigma_m && e.room_probability >= config_->vague_probability;
+}
+
 void Certainty::update(const Estimate& e, bool suspended) noexcept {
   constexpr double kProof = degrees(90.0);
+  constexpr double kSettled = 5.0;  // s after a jump
   const GuideConfig& c = *config_;
-  const bool fits = e.state == TrackState::tracking && e.room != kNoRoom;
+  const bool fits = (e.state == TrackState::tracking || holds_though_unfit(e)) && e.room != kNoRoom;
   const bool good = fits && e.sigma_m <= c.found_sigma_m && e.room_probability >= c.found_probability;
   if (!started_) {
     changing_since_ = e.time_s;
@@ -82,14 +97,13 @@ void Certainty::update(const Estimate& e, bool suspended) noexcept {
   started_ = true;
   const bool jumps = follow(e);
   if (jumps) jumped_s_ = e.time_s;
-  const bool bad = !fits || !(e.sigma_m <= c.lost_sigma_m) || !(e.room_probability >= c.lost_probability);
+  const bool bad = e.state != TrackState::tracking || e.room == kNoRoom || !(e.sigma_m <= c.lost_sigma_m) || !(e.room_probability >= c.lost_probability);
   fits_now_ = !bad;
   const bool lost = level_ == Level::lost;
   const bool change = lost ? good : bad && !suspended;
   if (!change || (lost && jumps)) changing_since_ = e.time_s;
   // Echoes that do not fit near what no plan knows are no loss yet while the place is narrow and goes on steadily.
-  const bool steady = is_finite(e.pose) && e.room != kNoRoom && e.sigma_m <= c.vague_sigma_m &&
-                      e.room_probability >= c.vague_probability && e.time_s - jumped_s_ > c.steady_lost_after_s;
+  const bool steady = is_narrow(e) && e.time_s - jumped_s_ > kSettled;
   const double lost_after = steady ? c.steady_lost_after_s : c.lost_after_s;
   const bool long_enough = change && e.time_s - changing_since_ >= (lost ? doubt_ * c.found_after_s : lost_after);
   if (lost && long_enough && (is_within_walk(e) || proof_ >= kProof)) become(Level::sure, e.time_s);

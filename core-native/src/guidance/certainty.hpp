@@ -18,6 +18,9 @@ class Certainty {
   /// Takes a new estimate in. `suspended`: echoes need not fit now (stairs), so a loss is not counted.
   void update(const Estimate& estimate, bool suspended) noexcept;
 
+  /// The place cannot be right, whatever the echoes say: whatever is found next is believed only once it has stood a turn.
+  void reject(double now) noexcept;
+
   [[nodiscard]] Level level() const noexcept { return level_; }
   /// True for a moment after the place has jumped as nobody walks or turns: it was wrong before, or is now.
   [[nodiscard]] bool jumped(double now) const noexcept { return now - jumped_s_ < config_->settle_s; }
@@ -33,6 +36,8 @@ class Certainty {
   [[nodiscard]] bool follow(const Estimate& estimate) noexcept;
   [[nodiscard]] bool is_within_walk(const Estimate& estimate) const noexcept;
   [[nodiscard]] bool has_moved_away(const Estimate& estimate, bool suspended) noexcept;
+  [[nodiscard]] bool holds_though_unfit(const Estimate& estimate) const noexcept;
+  [[nodiscard]] bool is_narrow(const Estimate& estimate) const noexcept;
   void set_home(const Estimate& estimate) noexcept;
   void become(Level level, double now) noexcept;
 

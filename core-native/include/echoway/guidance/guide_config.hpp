@@ -24,7 +24,7 @@ struct GuideConfig {
   double found_probability = 0.7;
   double lost_after_s = 1.5;          ///< How long it must stay so before the wearer is told.
   double found_after_s = 0.9;
-  double steady_lost_after_s = 5.0;   ///< The same where only the echoes do not fit and the place goes on steadily.
+  double steady_lost_after_s = 30.0;  ///< The same where only the echoes do not fit and the place goes on steadily.
   double relapse_s = 40.0;            ///< Lost again so soon after it was found: the next find must last twice as long.
   double settle_s = 2.0;              ///< A place that has jumped must hold this long before the way is told from there.
   double vague_sigma_m = 0.6;         ///< Above: only coarse instructions.
