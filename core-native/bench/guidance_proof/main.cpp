@@ -77,12 +77,13 @@ std::optional<double> shortest_round_things(const Building& plan, proof::Tracked
   return walked_length(*way);
 }
 
-/// Lines that tell the wearer which way to move, or that they are there.
+/// Lines that tell the wearer which way to move, or that they are there; not what a lost one is asked to do to be found.
 bool leads(const Cue& cue) {
   const auto steers = [](CueKind kind) {
     return kind == CueKind::turn || kind == CueKind::bear || kind == CueKind::go_straight || kind == CueKind::arrived ||
            kind == CueKind::take_link;
   };
+  if (cue.urgency == Urgency::broken) return false;
   return steers(cue.kind) || (cue.tail.present && steers(cue.tail.kind));
 }
 

@@ -140,17 +140,22 @@ bool Announcer::would_speak(const Cue& cue, double now, bool asked) const noexce
   return !repeats(cue, now) && !contradicts(cue, now);
 }
 
-bool Announcer::offer(Cue cue, double now, bool asked) {
+bool Announcer::offer(Cue cue, double now, bool asked) { return say(cue, now, asked, searches(cue.kind)); }
+
+bool Announcer::offer_search(const Cue& cue, double now) { return say(cue, now, false, true); }
+
+bool Announcer::say(Cue cue, double now, bool asked, bool searches) {
   if (!would_speak(cue, now, asked)) return false;
   cue.time_s = now;
   free_at_ = now + spoken_seconds(cue, *config_);
   speaking_ = cue.urgency;
   said_[said_count_ % kMemory] = cue;
   if (instructs(cue)) {
-    if (!searches(cue.kind)) arrival_.reset();
+    if (!searches) arrival_.reset();
     else if (instructed_ && instruction_.kind == CueKind::arrived) arrival_ = instruction_;
     instruction_ = cue;
     instructed_ = true;
+    searching_ = searches;
   }
   ++said_count_;
   if (size_ == kQueue) {  // Nobody fetches: the oldest line has long gone stale.
@@ -163,9 +168,10 @@ bool Announcer::offer(Cue cue, double now, bool asked) {
 }
 
 void Announcer::forget_search() noexcept {
-  if (!instructed_ || !searches(instruction_.kind)) return;
+  if (!instructed_ || !searching_) return;
   instructed_ = arrival_.has_value();
   instruction_ = arrival_.value_or(Cue{});
+  searching_ = false;
   arrival_.reset();
 }
 

@@ -24,6 +24,9 @@ class Announcer {
   /// True when `cue` goes out at `now`. `asked`: the wearer wants to hear it (again).
   bool offer(Cue cue, double now, bool asked = false);
 
+  /// The same of what a lost wearer is asked to do to be found, in words that would else lead them.
+  bool offer_search(const Cue& cue, double now);
+
   /// Whether offer() would let it out.
   [[nodiscard]] bool would_speak(const Cue& cue, double now, bool asked = false) const noexcept;
 
@@ -33,6 +36,8 @@ class Announcer {
     return instructed_;
   }
   void answer(double now);
+  /// Whether they want it now.
+  [[nodiscard]] bool is_asked() const noexcept { return again_; }
   /// Whether they want to hear again which way to go: that is told anew, from where they are by now.
   [[nodiscard]] bool is_way_asked() const noexcept;
   /// It is being told, or cannot be: the same words may be said again.
@@ -57,6 +62,8 @@ class Announcer {
   [[nodiscard]] bool repeats(const Cue& cue, double now) const noexcept;
   [[nodiscard]] bool contradicts(const Cue& cue, double now) const noexcept;
 
+  bool say(Cue cue, double now, bool asked, bool searches);
+
   const GuideConfig* config_;
   double free_at_ = -1e300;
   Urgency speaking_ = Urgency::colour;
@@ -64,6 +71,7 @@ class Announcer {
   std::size_t said_count_ = 0;
   Cue instruction_{};               ///< The last line that told the wearer to do something.
   bool instructed_ = false;
+  bool searching_ = false;          ///< It is one by which a lost wearer is found.
   std::optional<Cue> arrival_;      ///< The instruction before the search that began last, when it was "arrived".
   bool again_ = false;
   std::size_t waived_ = 0;          ///< What was said before this many lines may be said again.

@@ -105,6 +105,12 @@ bool Follower::is_on_stairs(const Estimate& e, Announcer& voice) noexcept {
   return false;
 }
 
+LevelChange::Asked Follower::ask_between_levels(const Estimate& e) {
+  const LevelChange::Asked asked = levels_.ask(e);
+  if (asked != LevelChange::Asked::again) steering_.begin_leg();
+  return asked;
+}
+
 void Follower::tell_no_way(double now, Announcer& voice) {
   if (now - steering_.last_said() <= 3.0 * config_->repeat_gap_s) return;
   if (voice.offer(make_cue(CueKind::no_way), now)) steering_.note_said(now);
@@ -151,6 +157,11 @@ void Follower::lead_on(const View& view, bool turning, Announcer& voice) {
   if (arrival_.tell(view, holding, voice) || levels_.take(view, voice) || holding) return;
   if (steering_.halt(view, voice) || turning || steering_.turn(view, voice) || steering_.go_on(view, voice)) return;
   herald_.tell(view, voice);
+}
+
+std::optional<double> Follower::direction_from(const Estimate& e) {
+  const auto heading = way_.heading_from(e);
+  return heading ? std::optional(wrap_angle(*heading - e.pose.heading)) : std::nullopt;
 }
 
 CueTail Follower::next_step(const Estimate& e) {

@@ -54,6 +54,13 @@ class Follower {
   /// What to do next from here, as the tail of another line.
   [[nodiscard]] CueTail next_step(const Estimate& estimate);
 
+  /// Where the way leads from here, from the chest; none where there is none.
+  [[nodiscard]] std::optional<double> direction_from(const Estimate& estimate);
+
+  /// Whether the wearer has been sent over stairs or into an elevator and is not yet known to have come out.
+  [[nodiscard]] bool is_between_levels() const noexcept { return levels_.is_under_way(); }
+  /// They ask what to do.
+  [[nodiscard]] LevelChange::Asked ask_between_levels(const Estimate& estimate);
   /// Echoes need not fit until then: stairs or an elevator were taken.
   [[nodiscard]] double suspended_until() const noexcept { return levels_.suspended_until(); }
   [[nodiscard]] std::optional<LevelTransition> take_transition() noexcept { return levels_.take_transition(); }

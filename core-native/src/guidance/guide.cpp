@@ -32,6 +32,7 @@ struct Guide::Impl {
   Status lead_to(const Goal& goal, RoutePreferences preferences);
   void restart();
   void update(const Estimate& newest, std::span<const Hypothesis> hypotheses);
+  void answer_between_levels();
   void be_lost(std::span<const Hypothesis> places);
   void be_found();
   void lead();
@@ -61,6 +62,7 @@ struct Guide::Impl {
   Estimate told_at{};        ///< Where the wearer was then.
   double obstacle_m = -1.0;  ///< Of what is in the way now.
   bool belt_lost = false;
+  bool doubts_level = false;  ///< The wearer cannot be where they are thought to be.
 };
 
 Guide::Guide(const Router& router, const GuideConfig& config) : impl_(std::make_unique<Impl>(router, config)) {}
@@ -101,7 +103,10 @@ bool Guide::repeat() { return impl_->voice.ask_again(); }
 
 bool Guide::next_cue(Cue& cue) { return impl_->voice.pop(cue); }
 std::optional<LevelTransition> Guide::take_level_transition() { return impl_->follower.take_transition(); }
-bool Guide::take_doubt() { return impl_->follower.take_doubt() && !impl_->certainty.was_told(); }
+bool Guide::take_doubt() {
+  const bool gets_nowhere = impl_->follower.take_doubt() && !impl_->certainty.was_told();
+  return std::exchange(impl_->doubts_level, false) || gets_nowhere;
+}
 bool Guide::has_destination() const { return impl_->follower.active(); }
 double Guide::obstacle_ahead_m() const { return impl_->obstacle_m; }
 const Route& Guide::route() const { return impl_->follower.route(); }
@@ -146,6 +151,7 @@ void Guide::Impl::update(const Estimate& newest, std::span<const Hypothesis> hyp
   const double now = newest.time_s;
   estimate = newest;
   obstacle_m = -1.0;
+  if (voice.is_asked() && follower.is_between_levels()) answer_between_levels();
   if (!voice.is_way_asked() || !follower.active()) voice.answer(now);
   Estimate judged = newest;
   if (!position_usable()) judged.state = TrackState::lost;
@@ -180,13 +186,27 @@ void Guide::Impl::lead() {
   if (!follower.active() && is_sure()) passing.tell(estimate, voice);
 }
 
+/// Who asks on the way to another level stands somewhere, and nobody asks in mid-flight.
+void Guide::Impl::answer_between_levels() {
+  using Asked = guidance::LevelChange::Asked;
+  const Asked asked = follower.ask_between_levels(estimate);
+  if (asked == Asked::again) return;
+  voice.take_way_question();
+  voice.forget_instruction();
+  climbing.clear();
+  certainty.reject(estimate.time_s);
+  doubts_level = asked == Asked::never;
+}
+
 void Guide::Impl::be_lost(std::span<const Hypothesis> places) {
   obstacles.clear();
   if (voice.is_way_asked()) {  // which is that nobody knows
     voice.take_way_question();
     answers.ask_where();
   }
-  if (search.update(estimate, places, !certainty.was_sure(), answers.is_where_asked(), voice)) answers.where_was_answered();
+  const bool guesses = search.is_due(estimate.time_s) && position_usable();
+  const auto wanted = guesses ? follower.direction_from(estimate) : std::nullopt;
+  if (search.update(estimate, places, wanted, !certainty.was_sure(), answers.is_where_asked(), voice)) answers.where_was_answered();
 }
 
 void Guide::Impl::be_found() {

@@ -1,5 +1,6 @@
 #include "guidance/level_change.hpp"
 
+#include "echoway/geometry/pose2.hpp"
 #include "guidance/surroundings.hpp"
 
 namespace echoway::guidance {
@@ -39,10 +40,23 @@ bool LevelChange::take(const View& view, Announcer& voice) {
   if (!voice.offer(cue_for(CueKind::take_link, end.index, view, end.at), view.now)) return true;
   const LevelLink& link = router_->building().links[static_cast<std::size_t>(end.index)];
   const double patience = config_->patience_s(link.kind);
+  told_at_ = *view.estimate;
+  asked_ = false;
   landing_ = link.beyond(view.estimate->room);
   suspended_until_ = view.now + patience;
   transition_ = LevelTransition{static_cast<std::size_t>(end.index), view.estimate->room, landing_, view.now, patience};
   return true;
+}
+
+LevelChange::Asked LevelChange::ask(const Estimate& e) noexcept {
+  constexpr double kThere = 1.5;    // metres
+  constexpr double kRide = 15.0;    // s that the shortest takes about
+  const bool there = e.state == TrackState::tracking && e.room == told_at_.room &&
+                     distance(e.pose.position, told_at_.pose.position) < kThere;
+  const bool first = !std::exchange(asked_, true);
+  if (e.time_s - told_at_.time_s < kRide || (there && first)) return Asked::again;
+  forget();
+  return there ? Asked::never : Asked::out;
 }
 
 bool LevelChange::ends(const Estimate& e) noexcept {

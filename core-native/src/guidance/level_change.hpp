@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -25,6 +26,13 @@ class LevelChange {
 
   /// Whether the wearer has been sent off and is not yet known to have come out.
   [[nodiscard]] bool is_under_way() const noexcept { return landing_ != kNoRoom; }
+  /// The wearer, who is under way, asks what to do.
+  enum class Asked : std::uint8_t {
+    again,  ///< They may not have heard it.
+    out,    ///< They are out, on the other level or where else they can go no further.
+    never,  ///< There is nothing to take where they are.
+  };
+  [[nodiscard]] Asked ask(const Estimate& estimate) noexcept;
   /// Ends it once they have, or have had the time; true then.
   [[nodiscard]] bool ends(const Estimate& estimate) noexcept;
 
@@ -41,6 +49,8 @@ class LevelChange {
   const Way* way_;
   std::int32_t told_ = -1;
   double suspended_until_ = -1e300;
+  Estimate told_at_{};           ///< Where the wearer was when they were told to take it,
+  bool asked_ = false;           ///< and whether they have asked since.
   RoomIndex landing_ = kNoRoom;  ///< Where they will come out; no room: nobody is under way.
   std::optional<LevelTransition> transition_;
 };

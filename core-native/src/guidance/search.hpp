@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "echoway/locate/estimate.hpp"
@@ -10,8 +11,8 @@
 
 namespace echoway::guidance {
 
-/// Asks a lost wearer for what will show where they are: to stop and turn, then to turn or step again, each time the action
-/// that tells the likely places best apart.
+/// Asks a lost wearer for what will show where they are: to stop and turn, then to walk a little, always forward, to where
+/// the belt hears that it is free, and to turn again now and then.
 class Search {
  public:
   /// REQUIRES: all outlive this.
@@ -23,7 +24,12 @@ class Search {
 
   /// The wearer is lost, `estimate` the best guess. `starting`: nothing has been known yet, so that the tracker is given a
   /// moment, unless they have `asked` where they are. Offers at most one line; true when it says that the place is not known.
-  bool update(const Estimate& estimate, std::span<const Hypothesis> places, bool starting, bool asked, Announcer& voice);
+  /// `wanted`: where the way leads from the best guess, from the chest; looked at when a request is_due().
+  bool update(const Estimate& estimate, std::span<const Hypothesis> places, std::optional<double> wanted, bool starting,
+              bool asked, Announcer& voice);
+
+  /// Whether the next request may be made.
+  [[nodiscard]] bool is_due(double now) const noexcept { return told_ && now >= next_request_; }
 
   /// Whether the wearer was lost up to now, and whether they have been told so.
   [[nodiscard]] bool is_on() const noexcept { return on_; }
@@ -33,7 +39,12 @@ class Search {
  private:
   [[nodiscard]] bool tell_uncertain(double now, bool asked, Announcer& voice);
   [[nodiscard]] bool stop_before_echo(const Estimate& estimate, Announcer& voice) const;
-  [[nodiscard]] Cue next_request(double now, std::span<const Hypothesis> places) const;
+  [[nodiscard]] Cue next_request(double now, std::span<const Hypothesis> places, std::optional<double> wanted) const;
+  [[nodiscard]] std::optional<double> freest(double preferred, double now) const;
+  [[nodiscard]] Cue move_to(double direction, double now, std::span<const Hypothesis> places) const;
+  [[nodiscard]] double length_of_move(double direction, double now, std::span<const Hypothesis> places) const;
+  [[nodiscard]] bool is_near_stairs(const Hypothesis& place) const;
+  void note_request(const Cue& cue, double now) noexcept;
 
   const Router* router_;
   const GuideConfig* config_;
@@ -42,8 +53,8 @@ class Search {
   bool on_ = true;
   bool told_ = false;
   double since_ = -1.0;
-  double last_request_ = -1e300;
-  bool turned_last_ = false;     ///< The last request was to turn.
+  double next_request_ = -1e300; ///< Not before.
+  int moves_ = 0;                ///< Since the last request to turn slowly.
   double step_direction_ = 0.0;  ///< Of the last step that was asked for, from where the chest faced at first.
 };
 

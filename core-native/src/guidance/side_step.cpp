@@ -10,8 +10,6 @@ namespace echoway::guidance {
 
 namespace {
 
-constexpr std::array<double, 8> kWays{0.0, degrees(32.0), degrees(-32.0), degrees(85.0), degrees(-85.0), degrees(140.0), degrees(-140.0), kPi};
-
 /// Whether the step touches nothing, neither of the plan nor beyond it.
 bool is_free(const Router& router, const GuideConfig& config, const Way& way, const Estimate& from, Vec2 to) {
   return router.space(from.room).clear_between(from.pose.position, to, config.body_m) && !way.hindrances().hinders({from.pose.position, to});
@@ -35,7 +33,7 @@ std::optional<SideStep> find_side_step(const Router& router, const GuideConfig& 
   };
   std::optional<SideStep> best;
   double least = 1e300;
-  for (const double direction : kWays) {
+  for (const double direction : kSpokenDirections) {
     for (const double step : kSteps) {
       const Vec2 there = pose.position + step * unit_from_angle(pose.heading + direction);
       const double cost = step + std::abs(wrap_angle(direction - view.off)) * kMetresPerRadian;
@@ -59,7 +57,7 @@ std::optional<SideStep> find_room(const Router& router, const GuideConfig& confi
   const Outlook::Approach from_here = outlook.approach(view, make_cue(CueKind::turn), demand);
   double most = space.clearance(pose.position, kEnough) + kGain;
   std::optional<SideStep> best;
-  for (const double direction : kWays) {
+  for (const double direction : kSpokenDirections) {
     const Vec2 there = pose.position + kStep * unit_from_angle(pose.heading + direction);
     const double clear = space.clearance(there, kEnough);
     if (clear <= most || !is_free(router, config, way, *view.estimate, there)) continue;

@@ -1,8 +1,15 @@
 #pragma once
 
+#include <array>
+
 #include "echoway/guidance/cue.hpp"
+#include "echoway/units.hpp"
 
 namespace echoway::guidance {
+
+/// Directions that can be told by sides, as they are understood: straight on first.
+inline constexpr std::array<double, 8> kSpokenDirections{0.0,           degrees(32.0),  degrees(-32.0),  degrees(85.0),
+                                                         degrees(-85.0), degrees(140.0), degrees(-140.0), kPi};
 
 /// What wearers make of a direction that they are told by sides: its sector's middle, radians from the chest.
 [[nodiscard]] double understood(double direction) noexcept;

@@ -1,6 +1,7 @@
 #include "guidance/way.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace echoway::guidance {
@@ -50,18 +51,26 @@ BoundFor Way::bound_for(const Estimate& e) const {
   return {};
 }
 
-bool Way::route_from(const Estimate& e) {
+bool Way::route_from(const Estimate& e, const BoundFor& bound, Route& route) const {
   const Spot here{e.room, e.pose.position};
-  if (mode_ == Mode::tree) return static_cast<bool>(router_->route_from(here, tree_, route_, bound_for(e)));
+  if (mode_ == Mode::tree) return static_cast<bool>(router_->route_from(here, tree_, route, bound));
   Result<Route> back = router_->retrace(here, crumbs_);
   if (!back) return false;
-  route_ = std::move(*back);
+  route = std::move(*back);
   return true;
+}
+
+std::optional<double> Way::heading_from(const Estimate& e) {
+  constexpr double kAhead = 1.0;  // metres
+  if (mode_ == Mode::none || !route_from(e, {}, guess_)) return std::nullopt;
+  lay_out(guess_, router_->building(), guess_line_);
+  const Vec2 to = point_along(guess_line_, kAhead) - e.pose.position;
+  return std::atan2(to.y, to.x);
 }
 
 bool Way::find(const Estimate& e) {
   changed_ = false;
-  if (!route_from(e)) return false;
+  if (!route_from(e, bound_for(e), route_)) return false;
   lay_out(route_, router_->building(), line_);
   hindrances_.bend(router_->space(e.room), e.room, e.time_s, line_);
   compare_doors();

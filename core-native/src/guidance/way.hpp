@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,8 @@ class Way {
 
   /// Lays the way out from here; false when there is none.
   [[nodiscard]] bool find(const Estimate& estimate);
+  /// Where the way leads at first from here, in the room's frame; the way that find() laid out stays. None when there is none.
+  [[nodiscard]] std::optional<double> heading_from(const Estimate& estimate);
   /// Whether the last find() came upon other doors than the one before.
   [[nodiscard]] bool has_changed() const noexcept { return changed_; }
 
@@ -56,7 +59,7 @@ class Way {
  private:
   enum class Mode : std::uint8_t { none, tree, crumbs };
   [[nodiscard]] BoundFor bound_for(const Estimate& estimate) const;
-  [[nodiscard]] bool route_from(const Estimate& estimate);
+  [[nodiscard]] bool route_from(const Estimate& estimate, const BoundFor& bound, Route& route) const;
   void compare_doors();
 
   const Router* router_;
@@ -66,6 +69,8 @@ class Way {
   std::vector<Spot> crumbs_;
   Route route_;
   std::vector<LinePoint> line_;
+  Route guess_;                          ///< From where the wearer may be, while nobody knows,
+  std::vector<LinePoint> guess_line_;    ///< and its line.
   Hindrances hindrances_;
   std::vector<std::int32_t> doors_;      ///< Of the way that was told, in order.
   std::vector<std::int32_t> new_doors_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "support/plans.hpp"
 
@@ -91,14 +92,14 @@ struct Listener {
 
   /// Scans in which `range` says what the sensor that looks to a side of the chest hears.
   template <class Range>
-  std::vector<Cue> hear(double seconds, const Estimate& pose, Range range) {
+  std::vector<Cue> hear(double seconds, const Estimate& pose, Range range, std::span<const Hypothesis> places = {}) {
     const BeltConfig belt;
     for (const double end = now + seconds; now < end;) {
       for (int sensor = 0; sensor < belt.sensors; ++sensor, now += kSlot) {
         guide.on_firing({now, sensor, range(wrap_angle(belt.bearing(sensor)))});
         Estimate e = pose;
         e.time_s = now;
-        guide.on_estimate(e);
+        guide.on_estimate(e, places);
       }
     }
     return fetch();
@@ -224,34 +225,93 @@ TEST_F(GuideTest, LostItAsksForAnActionThatTells) {
               std::count(cues.begin(), cues.end(), CueKind::probe_step));
 }
 
-TEST_F(GuideTest, LostItAsksForAStepOnlyWhereTheBeltHearsThatItIsFree) {
+/// Which way a lost wearer is asked to go, from the chest; none when a line asks for something else.
+std::optional<double> way_asked_for(const Cue& cue) {
+  if (cue.kind == CueKind::probe_step || cue.kind == CueKind::go_straight) return cue.direction;
+  const bool goes = cue.kind == CueKind::turn && cue.tail.present && cue.tail.kind == CueKind::go_straight;
+  return goes ? std::optional(cue.direction) : std::nullopt;
+}
+
+TEST_F(GuideTest, LostItSendsTheWearerOnlyWhereTheBeltHearsThatItIsFree) {
   (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
   const auto cues = wearer.hear(40.0, lost(0), [](double bearing) { return std::abs(bearing - kPi / 2) < degrees(70.0) ? 3.0 : 0.6; });
-  EXPECT_THAT(kinds(cues), Contains(CueKind::probe_step));
+  int asked = 0;
   for (const Cue& cue : cues) {
-    if (cue.kind == CueKind::probe_step) {
-      EXPECT_NEAR(cue.direction, kPi / 2, 0.1);
+    const auto way = way_asked_for(cue);
+    if (!way) continue;
+    ++asked;
+    EXPECT_EQ(sector_of(*way), Sector::left);
+    EXPECT_LE(cue.tail.distance_m, 2.2) << "not up to what is heard there";
+  }
+  EXPECT_GE(asked, 1);
+}
+
+TEST_F(GuideTest, LostItAsksForNoStepAsideOrBack) {
+  // To who counts steps, and does not see which way they go, they are steps ahead.
+  (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
+  for (const double free : {0.0, kPi / 2, -kPi / 2, kPi}) {
+    for (const Cue& cue : wearer.hear(60.0, lost(0), [&](double bearing) { return std::abs(wrap_angle(bearing - free)) < degrees(70.0) ? 3.0 : 0.6; })) {
+      if (cue.kind == CueKind::probe_step) {
+        EXPECT_EQ(sector_of(cue.direction), Sector::ahead);
+      }
     }
   }
 }
 
-TEST_F(GuideTest, LostItLeadsOnByStepsAndNotToAndFro) {
+TEST_F(GuideTest, LostItLeadsOnAndNotToAndFro) {
   (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
   // Free on both sides, and a little farther to the left whichever way the wearer faces.
   const auto corridor = [](double bearing) { return std::abs(std::abs(bearing) - kPi / 2) < degrees(70.0) ? (bearing > 0 ? 3.2 : 3.0) : 0.6; };
   Estimate somewhere = lost(0);
-  std::vector<double> steps;  // by where the chest faced at first
+  std::vector<double> ways;  // by where the chest faced at first
   for (int turn = 0; turn < 12; ++turn) {
     for (const Cue& cue : wearer.hear(14.0, somewhere, corridor)) {
-      if (cue.kind == CueKind::probe_step) steps.push_back(wrap_angle(cue.direction + somewhere.pose.heading));
+      if (const auto way = way_asked_for(cue)) ways.push_back(wrap_angle(*way + somewhere.pose.heading));
     }
     for (int i = 0; i < 60; ++i) {  // half about
       somewhere.pose.heading = wrap_angle(somewhere.pose.heading + degrees(3.0));
       (void)wearer.stay(kSlot, somewhere);
     }
   }
-  ASSERT_GE(steps.size(), 3U);
-  for (const double step : steps) EXPECT_NEAR(std::abs(wrap_angle(step - steps.front())), 0.0, 0.1);
+  ASSERT_GE(ways.size(), 3U);
+  for (const double way : ways) EXPECT_NEAR(std::abs(wrap_angle(way - ways.front())), 0.0, degrees(15.0));
+}
+
+TEST_F(GuideTest, LostItSearchesOnTheWayThatTheBestGuessTells) {
+  ASSERT_TRUE(guide.set_destination({Goal::Kind::spot, 0, {0, {2.5, 4.0}}}));
+  (void)wearer.stand(3.0, 0, {2.5, 1.0}, 0.0);
+  Estimate guess = lost(0);
+  guess.pose = {{2.5, 1.0}, 0.0};
+  // A little farther to the right.
+  const auto hall = [](double bearing) { return std::abs(std::abs(bearing) - kPi / 2) < degrees(70.0) ? (bearing > 0 ? 3.0 : 3.2) : 0.6; };
+  std::vector<double> ways;
+  for (const Cue& cue : wearer.hear(40.0, guess, hall)) {
+    if (const auto way = way_asked_for(cue)) ways.push_back(*way);
+  }
+  ASSERT_FALSE(ways.empty());
+  EXPECT_EQ(sector_of(ways.front()), Sector::left);
+}
+
+TEST(Guide, ALostWearerIsAskedForNoMoreThanAStepWhereThereMayBeStairs) {
+  Building b;
+  b.rooms.push_back(test::make_box("1", 12, 4));
+  b.rooms.push_back(test::make_box("2", 12, 4));
+  b.rooms[1].level = 1;
+  b.links.push_back({LevelLinkKind::stairs, 0, {11, 2}, 1, {11, 2}});
+  const auto longest_walk = [&](Vec2 place) {
+    Listener wearer(b);
+    (void)wearer.stand(3.0, 0, {5, 2}, 0.0);
+    const std::vector<Hypothesis> places = {{0, {place, 0.0}, 0.2, 0.5}};
+    double longest = 0.0;
+    for (int i = 0; i < 60; ++i) {
+      for (const Cue& cue : wearer.hear(1.0, lost(0), [](double bearing) { return std::abs(bearing) < degrees(70.0) ? 3.5 : 0.6; }, places)) {
+        if (way_asked_for(cue)) longest = std::max({longest, cue.distance_m, cue.tail.distance_m, 0.6});
+      }
+    }
+    return longest;
+  };
+  EXPECT_GT(longest_walk({2, 2}), 1.5);
+  EXPECT_DOUBLE_EQ(longest_walk({9, 2}), 0.6);
 }
 
 TEST_F(GuideTest, LostItAsksForNoStepWhereNothingIsHeardToBeFree) {
@@ -276,8 +336,19 @@ TEST_F(GuideTest, EchoesThatDoNotFitAreNoLossYetWhileThePlaceGoesOnSteadily) {
   (void)wearer.stand(10.0, 0, {1, 2.5}, 0.0);
   Estimate unfit = at(0, 0, {1, 2.5}, 0.0);
   unfit.state = TrackState::lost;
-  EXPECT_THAT(wearer.stay(4.0, unfit), IsEmpty());
-  EXPECT_THAT(kinds(wearer.stay(4.0, unfit)), Contains(CueKind::uncertain));
+  EXPECT_THAT(wearer.stay(25.0, unfit), IsEmpty());
+  EXPECT_THAT(kinds(wearer.stay(8.0, unfit)), Contains(CueKind::uncertain));
+}
+
+TEST_F(GuideTest, WhoIsNarrowlyKnownWhereTheyWereIsFoundAgainThoughTheEchoesDoNotFit) {
+  (void)wearer.stand(10.0, 0, {1, 2.5}, 0.0);
+  EXPECT_THAT(kinds(wearer.stay(4.0, lost(0))), Contains(CueKind::uncertain));
+  Estimate elsewhere = at(0, 3, {1, 2.5}, 0.0);  // no door leads there from room 0
+  elsewhere.state = TrackState::lost;
+  EXPECT_THAT(kinds(wearer.stay(8.0, elsewhere)), Not(Contains(CueKind::found)));
+  Estimate unfit = at(0, 0, {1, 2.5}, 0.0);
+  unfit.state = TrackState::lost;
+  EXPECT_THAT(kinds(wearer.stay(8.0, unfit)), Contains(CueKind::found));
 }
 
 TEST_F(GuideTest, TellsNothingOfTheWayFromAPlaceThatHasJustJumped) {
@@ -652,6 +723,52 @@ TEST(Guide, SendsTheWearerUpTheStairsAndTellsTheTracker) {
   // On the stairs echoes fit nowhere; that is no loss.
   EXPECT_THAT(wearer.stay(10.0, lost(0)), IsEmpty());
   EXPECT_THAT(kinds(wearer.stand(6.0, 1, {5, 2}, 180.0)), Contains(CueKind::go_straight));
+}
+
+/// Somebody who has just been told to take the stairs.
+class OnStairsTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(wearer.guide.set_destination("Desk"));
+    ASSERT_THAT(kinds(wearer.stand(8.0, 0, {4.6, 2}, 0.0)), Contains(CueKind::take_link));
+    ASSERT_TRUE(wearer.guide.take_level_transition());
+  }
+  Building building = [] {
+    Building b;
+    b.rooms.push_back(test::make_box("1", 6, 4));
+    b.rooms.push_back(test::make_box("2", 6, 4));
+    b.rooms[1].level = 1;
+    b.links.push_back({LevelLinkKind::stairs, 0, {5, 2}, 1, {5, 2}});
+    b.places.push_back({1, {1, 2}, "Desk"});
+    return b;
+  }();
+  Listener wearer{building};
+};
+
+TEST_F(OnStairsTest, WhoMissedItIsToldAgain) {
+  ASSERT_TRUE(wearer.guide.repeat());
+  EXPECT_THAT(kinds(wearer.stand(3.0, 0, {4.6, 2}, 0.0)), Contains(CueKind::take_link));
+}
+
+TEST_F(OnStairsTest, WhoAsksOnceTheyMustBeOutIsLookedForAndNotSentUpAgain) {
+  Estimate between = lost(0);
+  between.state = TrackState::searching;
+  EXPECT_THAT(wearer.stay(16.0, between), IsEmpty());
+  ASSERT_TRUE(wearer.guide.repeat());
+  const auto cues = kinds(wearer.stay(4.0, between));
+  EXPECT_THAT(cues, Contains(CueKind::uncertain));
+  EXPECT_THAT(cues, Not(Contains(CueKind::take_link)));
+  EXPECT_FALSE(wearer.guide.take_doubt());
+}
+
+TEST_F(OnStairsTest, WhoAsksAgainAndAgainFindsNoStairsAndIsNotWhereTheyAreThoughtToBe) {
+  (void)wearer.stand(16.0, 0, {4.6, 2}, 0.0);
+  ASSERT_TRUE(wearer.guide.repeat());
+  EXPECT_THAT(kinds(wearer.stand(8.0, 0, {4.6, 2}, 0.0)), Contains(CueKind::take_link));
+  EXPECT_FALSE(wearer.guide.take_doubt());
+  ASSERT_TRUE(wearer.guide.repeat());
+  EXPECT_THAT(kinds(wearer.stand(8.0, 0, {4.6, 2}, 0.0)), Contains(CueKind::uncertain));
+  EXPECT_TRUE(wearer.guide.take_doubt());
 }
 
 TEST(Guide, NobodyIsToldToTurnOnStairsThatTheyTookUnasked) {
