@@ -69,6 +69,12 @@ bench: core bench-app ## Error against run time (docs/error-against-run-time.md)
 	@$(PYTHON) scripts/plot_error_against_time.py $(BUILD)/error-against-run-time.csv --building $(BENCH_MAP) \
 	    --plot docs/images/error-against-run-time.png --page docs/error-against-run-time.md
 
+TRACKER_FIGURES := $(BUILD)/tracker-figures.csv
+.PHONY: tracker-figures
+tracker-figures: core ## The tracker on many walks: the table of docs/tracker.md (two minutes)
+	@scripts/tracker_figures.sh $(BUILD)/bin/echoway_eval $(TRACKER_FIGURES)
+	@$(PYTHON) scripts/tracker_figures.py $(TRACKER_FIGURES) docs/tracker.md
+
 .PHONY: clean
 clean: ## Remove everything that was built
 	rm -rf $(BUILD)

@@ -6,9 +6,9 @@ Usage: plot_error_against_time.py CSV --plot PNG --page MD
 import argparse
 import csv
 import os
-import platform
 from pathlib import Path
 
+import machine
 import matplotlib
 
 matplotlib.use("Agg")
@@ -27,13 +27,6 @@ def read(path):
     head = dict(zip(words[::2], words[1::2]))
     defaults = {"1": int(head["default_particles"]), "0": int(head["without_hints"])}
     return float(head["one_scan_floor_m"]), defaults, list(csv.DictReader(lines[1:]))
-
-
-def processor():
-    for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
-        if line.startswith("model name"):
-            return line.split(":", 1)[1].strip()
-    return platform.machine()
 
 
 def draw(floor, rows, out):
@@ -79,7 +72,7 @@ def about_budget(rows, hints, default):
 def page(floor, defaults, rows, plot, building):
     best = min((row for row in rows if row["hints"] == "1"), key=lambda row: float(row["mean_m"]))
     lines = ["# Error against run time", "",
-             f"Written by `make bench` on {processor()}, {os.cpu_count()} processors. The same simulated, furnished walks in "
+             f"Written by `make bench` on {machine.name()}. The same simulated, furnished walks in "
              f"`{building}` for every line, known start. Processor time is the whole process's, so compare lines, not machines.", "",
              f"![Error against run time]({plot})", "",
              "| method | motion hints | particles | mean, ft | worst walk, ft | right room | heading | us a firing | "

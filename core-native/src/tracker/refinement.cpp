@@ -57,9 +57,9 @@ void Refinement::begin(std::uint64_t first) noexcept {
   log_evidence_ = 0.0;
 }
 
-bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budget) noexcept {
-  replayed_ = 0;
-  while (replayed_ < budget) {
+bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budget, std::size_t cell_cost) noexcept {
+  spent_ = 0;
+  while (spent_ < budget) {
     if (cursor_ == 0) {
       if (reached_ == tools.history.end()) return true;
       round_end_ = std::min(reached_ + kRound, tools.history.end());
@@ -68,8 +68,10 @@ bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budg
     const auto firings = static_cast<std::size_t>(round_end_ - reached_);
     for (std::size_t i = 0; i < firings; ++i) round[i] = past_of(reached_ + i, first_, tools);
     const auto particles = population_.particles();
-    for (; cursor_ < particles.size() && replayed_ < budget; ++cursor_) {
-      for (std::size_t i = 0; i < firings; ++i, ++replayed_) replay(particles[cursor_], round[i], tools, random);
+    for (; cursor_ < particles.size() && spent_ < budget; ++cursor_) {
+      const std::size_t compiled = tools.scene.cells_compiled();
+      for (std::size_t i = 0; i < firings; ++i) replay(particles[cursor_], round[i], tools, random);
+      spent_ += firings + cell_cost * (tools.scene.cells_compiled() - compiled);
     }
     if (cursor_ < particles.size()) return false;
     close_round(random);

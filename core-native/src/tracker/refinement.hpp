@@ -35,11 +35,12 @@ class Refinement {
   void begin(std::uint64_t first) noexcept;
   [[nodiscard]] Population& population() noexcept { return population_; }
 
-  /// Replays about `budget` firings of single particles. True when all of them have heard everything.
-  bool work(const SearchTools& tools, Random& random, std::size_t budget) noexcept;
+  /// Replays about `budget` firings of single particles, or fewer where cells must first be compiled, each of which costs as
+  /// much as `cell_cost` of them. True when all particles have heard everything.
+  bool work(const SearchTools& tools, Random& random, std::size_t budget, std::size_t cell_cost) noexcept;
 
-  /// Firings of single particles that the last slice replayed.
-  [[nodiscard]] std::size_t replayed() const noexcept { return replayed_; }
+  /// What the last slice cost, in firings of single particles.
+  [[nodiscard]] std::size_t spent() const noexcept { return spent_; }
 
   /// Log of what the weights pushed added up to, times the mean likelihood of the firings since.
   [[nodiscard]] double log_evidence() const noexcept { return log_evidence_; }
@@ -52,7 +53,7 @@ class Refinement {
   std::uint64_t reached_ = 0;          ///< All particles have heard the firings before this one,
   std::uint64_t round_end_ = 0;        ///< and those before the cursor the ones before this.
   std::size_t cursor_ = 0;
-  std::size_t replayed_ = 0;
+  std::size_t spent_ = 0;
   double log_evidence_ = 0.0;
 };
 

@@ -220,9 +220,9 @@ bool Search::work(const SearchTools& tools, Random& random) noexcept {
     Vec2 position;
     double heading = 0.0;
     if (!next_candidate(tools, position, heading)) {
-      draw_from_survivors(tools, random);
+      draw_from_survivors(tools, random);   // Which fills the slice.
       phase_ = Phase::refining;
-      break;
+      return false;
     }
     ++tried_;
     const std::size_t compiled = tools.scene.cells_compiled();
@@ -231,10 +231,10 @@ bool Search::work(const SearchTools& tools, Random& random) noexcept {
   }
   if (phase_ != Phase::refining || spent >= budget()) return false;
   const std::size_t replays = (budget() - spent) / parameters_.replay_cost + 1;
-  if (!refinement_.work(tools, random, replays)) return false;
+  if (!refinement_.work(tools, random, replays, parameters_.cell_cost / parameters_.replay_cost)) return false;
   // Taking over what was found costs a firing's time as well: it waits for one with little left to catch up with.
   const std::size_t a_firing = refinement_.population().size();
-  if (refinement_.replayed() > a_firing) return false;
+  if (refinement_.spent() > a_firing) return false;
   finish(tools);
   return true;
 }
