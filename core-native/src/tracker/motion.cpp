@@ -19,7 +19,15 @@ constexpr double kShortestStep = 0.25;      // Seconds between two real steps.
 constexpr double kLongestStep = 2.0;
 constexpr double kDefaultStep = 1.0;
 constexpr std::size_t kFewestIntervals = 2;
-constexpr double kStepWithoutWalking = 0.12;   // Likelihood of a step event while standing, against walking.
+constexpr double kStepWithoutWalking = 0.12;   // Likelihood of a step event while standing, against walking,
+constexpr double kStepOnTheSpot = 0.6;         // and while turning: feet that turn step as well.
+constexpr double kWalkersTurn = degrees(20.0); // rad/s: faster, and a turn is more and more likely one on the spot,
+constexpr double kTurnOnTheSpot = degrees(60.0);   // from here on as surely as a turn can tell.
+
+// Whether a turn is one that people stop or slow down for, from its speed: 0 to 1.
+double on_the_spot(double rate) noexcept {
+  return std::clamp((std::abs(rate) - kWalkersTurn) / (kTurnOnTheSpot - kWalkersTurn), 0.0, 1.0);
+}
 
 void forget_speed(Particle& p, double speed, double sigma) noexcept {
   p.speed = speed;
@@ -127,7 +135,8 @@ HintIntegrator::GaitEvidence HintIntegrator::take_gait_evidence(double time_s, d
   GaitEvidence evidence;
   if (fresh_step_) {
     fresh_step_ = false;
-    evidence.standing = kStepWithoutWalking;
+    const double turning = time_s - last_rate_time_ < kStaleRate ? on_the_spot(rate_) : 0.0;
+    evidence.standing = kStepWithoutWalking + turning * (kStepOnTheSpot - kStepWithoutWalking);
     return evidence;
   }
   // A phone with a gyroscope counts steps too, most likely.
@@ -146,8 +155,9 @@ Stride::Stride(const Interval& interval, const MotionParameters& m, double pace)
     : parameters_(&m), interval_(interval), pace_(pace) {
   const double dt = interval.seconds;
   const double root = std::sqrt(std::max(dt, 0.0));
-  stop_chance_ = 1.0 - fast_exp(-m.stop_rate * dt);
-  start_chance_ = 1.0 - fast_exp(-m.start_rate * dt);
+  const double turning = interval.turn_known && dt > 0.0 ? on_the_spot(interval.turn / dt) : 0.0;
+  stop_chance_ = 1.0 - fast_exp(-(m.stop_rate + turning * m.turning_stop_rate) * dt);
+  start_chance_ = 1.0 - fast_exp(-(m.start_rate + turning * m.turning_start_rate) * dt);
   turn_sigma_ = m.gyro_noise * root;
   bias_sigma_ = m.gyro_bias_drift * root;
   turn_drift_ = m.turn_drift * root;
