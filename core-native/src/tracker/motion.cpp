@@ -155,9 +155,7 @@ Stride::Stride(const Interval& interval, const MotionParameters& m, double pace)
     : parameters_(&m), interval_(interval), pace_(pace) {
   const double dt = interval.seconds;
   const double root = std::sqrt(std::max(dt, 0.0));
-  const double turning = interval.turn_known && dt > 0.0 ? on_the_spot(interval.turn / dt) : 0.0;
-  stop_chance_ = 1.0 - fast_exp(-(m.stop_rate + turning * m.turning_stop_rate) * dt);
-  start_chance_ = 1.0 - fast_exp(-(m.start_rate + turning * m.turning_start_rate) * dt);
+  if (interval.turn_known && dt > 0.0) turning_ = on_the_spot(interval.turn / dt);
   turn_sigma_ = m.gyro_noise * root;
   bias_sigma_ = m.gyro_bias_drift * root;
   turn_drift_ = m.turn_drift * root;
@@ -191,7 +189,9 @@ void Stride::predict(Particle& p) const noexcept {
 
 void Stride::change_gait(Particle& p, Random& random) const noexcept {
   const MotionParameters& m = *parameters_;
-  if (random.uniform() >= (p.gait == Gait::walking ? stop_chance_ : start_chance_)) return;
+  const double turning = interval_.turn_known ? turning_ : on_the_spot(p.turn_rate);
+  const double rate = p.gait == Gait::walking ? m.stop_rate + turning * m.turning_stop_rate : m.start_rate + turning * m.turning_start_rate;
+  if (random.uniform() < fast_exp(-rate * interval_.seconds)) return;
   const double lost = m.change_seconds * std::max(std::abs(p.gait == Gait::walking ? p.speed : pace_), m.slowest_pace);
   if (p.gait == Gait::walking) {
     p.gait = Gait::standing;

@@ -18,8 +18,8 @@ struct MotionParameters {
   double pace_memory = 5.0;              ///< with a return to the wearer's usual pace in so many seconds.
   double stop_rate = 0.12;               ///< 1/s: walking ends,
   double start_rate = 0.35;              ///< and begins.
-  double turning_stop_rate = 1.0;        ///< 1/s, added to these while a gyroscope tells of a turn as fast as people make on
-  double turning_start_rate = 2.0;       ///< the spot: in walking they slow down for it.
+  double turning_stop_rate = 2.0;        ///< 1/s, added to these in a turn as fast as people make on the spot: in walking
+  double turning_start_rate = 4.0;       ///< they slow down for it.
   double start_sigma = 0.08;             ///< m/s: how well the usual pace tells the pace of a new start ...
   double new_pace_share = 0.1;           ///< ... unless the wearer sets out, so often, at another one,
   double slowest_pace = 0.3, fastest_pace = 1.6;   ///< m/s: anything between these,
@@ -116,8 +116,7 @@ class Stride {
   const MotionParameters* parameters_ = nullptr;
   Interval interval_{};
   double pace_ = 0.0;
-  double stop_chance_ = 0.0;      ///< That walking ends,
-  double start_chance_ = 0.0;     ///< or begins.
+  double turning_ = 0.0;          ///< Whether the turn is one on the spot, when a gyroscope told it.
   double turn_sigma_ = 0.0;       ///< What the interval adds to the heading,
   double bias_sigma_ = 0.0;       ///< to the gyroscope's bias
   double turn_drift_ = 0.0;       ///< and to the speed of a turn.
