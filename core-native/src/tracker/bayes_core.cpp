@@ -116,12 +116,14 @@ Record BayesLocator::Core::take_down(const Firing& firing, double seconds) {
   return record;
 }
 
+// Where several places are possible the estimate jumps between them while the wearer stands: what counts is how the
+// particles move, not where the likeliest of them lie.
 void BayesLocator::Core::follow_movement(const Interval& interval) {
-  const double seen = wrap_angle(estimate_.pose.heading - last_heading_);
-  const double turn = interval.turn_known ? interval.turn_without(summary_.gyro_bias) : seen;
-  const double forward = estimate_.speed_mps * interval.seconds;
-  last_heading_ = estimate_.pose.heading;
-  novelty_.move(std::abs(forward), std::abs(turn));
+  const double dt = interval.seconds;
+  const double turn = interval.turn_known ? interval.turn_without(summary_.gyro_bias) : summary_.turn_rate * dt;
+  const double turned = interval.turn_known ? std::abs(turn) : summary_.turning * dt;
+  const double forward = estimate_.speed_mps * dt;
+  novelty_.move(std::abs(forward), turned);
   repeats_.move(forward, turn);
 }
 

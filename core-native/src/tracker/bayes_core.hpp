@@ -126,7 +126,6 @@ class BayesLocator::Core {
   double mapped_share_ = 0.0;       ///< Of recent echoes that something in the plan explains.
   double unmapped_ = 0.0;           ///< Probability that the last echo came from nothing in the plan.
   std::array<Vec2, kMaxSensors> bearings_{};
-  double last_heading_ = 0.0;
   std::optional<double> compass_;   ///< What it said last before a place was found for sure, in the levels' frames,
   std::uint64_t compass_said_ = 0;  ///< and before which firing.
 

@@ -18,6 +18,7 @@ struct Cluster {
   double heading = 0.0, heading2 = 0.0;
   double speed = 0.0, scale = 0.0, scale2 = 0.0, bias = 0.0;
   double walking = 0.0, pace = 0.0;
+  double turn_rate = 0.0, turning = 0.0;
   std::array<RoomIndex, 6> rooms{};
   std::array<double, 6> room_weight{};
   int room_count = 0;
@@ -64,6 +65,8 @@ void add(Cluster& c, const Particle& p, const FromAnchor& from, const RoomFrame&
   c.scale += w * p.log_scale;
   c.scale2 += w * (p.cov.kk + p.log_scale * p.log_scale);
   c.bias += w * p.gyro_bias;
+  c.turn_rate += w * p.turn_rate;
+  c.turning += w * std::abs(p.turn_rate);
   if (p.gait == Gait::walking) {
     c.walking += w;
     c.pace += w * p.speed;
@@ -187,6 +190,8 @@ Summary summarize(std::span<const Particle> particles, const Building& building,
     summary.log_scale = c.scale / c.weight;
     summary.log_scale_sigma = std::sqrt(std::max(0.0, c.scale2 / c.weight - summary.log_scale * summary.log_scale));
     summary.gyro_bias = c.bias / c.weight;
+    summary.turn_rate = c.turn_rate / c.weight;
+    summary.turning = c.turning / c.weight;
     summary.walking = c.walking / c.weight;
     summary.pace = c.walking > 0.0 ? c.pace / c.walking : 0.0;
   }

@@ -18,6 +18,8 @@ struct Summary {
   double log_scale = 0.0;
   double log_scale_sigma = 0.0;
   double gyro_bias = 0.0;
+  double turn_rate = 0.0;                         ///< rad/s, as guessed without a gyroscope: mean of the particles,
+  double turning = 0.0;                           ///< and mean of how fast they turn either way.
   double walking = 0.0;                           ///< Share that walks,
   double pace = 0.0;                              ///< and how fast.
 };
