@@ -81,8 +81,6 @@ class BayesLocator::Core {
   void pursue_search();
   void start_first_search();
   void start_recovery();
-  [[nodiscard]] static tracker::SearchDomain round_about(RoomIndex room, Vec2 position);
-  [[nodiscard]] bool turned_unnoticed();
   [[nodiscard]] double heading_at(std::uint64_t firing) const;
   [[nodiscard]] std::optional<double> compass_at(std::uint64_t firing) const;
   void conclude_first_search();
@@ -142,7 +140,6 @@ class BayesLocator::Core {
   int explained_ = 0;               ///< Firings in a row that a place taken for granted has explained well.
   int unconfirmed_ = 0;             ///< Firings that a place which a search found must yet explain to be taken for granted.
   std::uint64_t searches_ = 0;      ///< Recovery searches so far.
-  std::uint64_t slump_ = 0;         ///< End of the history when the fit slumped last without a gyroscope; 0: since looked after.
   std::uint64_t last_search_ = 0;   ///< End of the history when it ended; 0: none yet.
 
   Estimate estimate_;

@@ -11,7 +11,6 @@ namespace {
 
 constexpr std::uint64_t kRecoveryWindow = 40;        // Firings that a recovery search looks back on.
 constexpr std::uint64_t kBlindRecoveryWindow = 20;   // The same without a gyroscope: a wearer hardly turns meanwhile.
-constexpr std::uint64_t kSlumpWindow = 32;           // Firings since the fit slumped: some of what came before may still mislead.
 constexpr std::uint64_t kSearchPause = 48;           // Firings between searches,
 constexpr int kMostDoublings = 3;                    // doubled so often at most while they find nothing;
 constexpr std::uint64_t kBlindPause = 24;            // without a gyroscope, which a wrong belief could lean on,
@@ -74,16 +73,14 @@ void BayesLocator::Core::pursue_search() {
 
 void BayesLocator::Core::start_recovery() {
   const std::uint64_t now = history_.end();
-  if (!options_.parts.recovery || now < kRecoveryWindow) return;
-  if (turned_unnoticed()) {
-    slump_ = 0;
-    search_.start(round_about(estimate_.room, estimate_.pose.position), now - kSlumpWindow, now);
-    return;
-  }
-  if (now < last_search_ + search_pause()) return;
+  if (!options_.parts.recovery || now < kRecoveryWindow || now < last_search_ + search_pause()) return;
   const std::uint64_t begin = now - (gyro_ ? kRecoveryWindow : kBlindRecoveryWindow);
+  SearchDomain domain;
+  domain.heading_sigma = kHeadingStep;
   if (away_ > kSurelyAway) {
-    SearchDomain domain = round_about(landing_.room, landing_.at);
+    domain.near_room = landing_.room;
+    domain.near_position = landing_.at;
+    domain.within = kRoundAbout;
     if (gyro_) domain.near_heading = landing_.turn + heading_at(begin);
     search_.start(domain, begin, now);
     return;
@@ -93,8 +90,6 @@ void BayesLocator::Core::start_recovery() {
   const bool unproved = estimate_.state != TrackState::tracking || (gyro_ && fruitless_ < kSecondOpinions);
   const bool unsure = fit_.doubtful() || (unconfirmed_ > 0 && unproved);
   if (away_ > kPerhapsAway || !somewhere || !unsure || echoes_since(begin) < kFewestEchoes) return;
-  SearchDomain domain;
-  domain.heading_sigma = kHeadingStep;
   if (unconfirmed_ > 0) {
     if (start_.room && fruitless_ == 0) domain.only_room = *start_.room;
     domain.level_heading = compass_at(begin);
@@ -109,27 +104,6 @@ void BayesLocator::Core::start_recovery() {
   if (circle == 1) domain.within = kNearby;
   if (circle == 0 && gyro_) domain.near_heading = heading_at(begin);
   search_.start(domain, begin, now);
-}
-
-SearchDomain BayesLocator::Core::round_about(RoomIndex room, Vec2 position) {
-  SearchDomain domain;
-  domain.heading_sigma = kHeadingStep;
-  domain.near_room = room;
-  domain.near_position = position;
-  domain.within = kRoundAbout;
-  return domain;
-}
-
-// Without a gyroscope turns are guessed. In the middle of a room that looks alike from two sides a belief may turn the
-// wrong way and fit well again a second later: for a moment it did not, and after that it is worth a look round about.
-bool BayesLocator::Core::turned_unnoticed() {
-  const std::uint64_t now = history_.end();
-  if (gyro_ || away_ > kPerhapsAway || unconfirmed_ > 0) {
-    slump_ = 0;
-  } else if (fit_.slumped()) {
-    slump_ = now;
-  }
-  return slump_ > 0 && now >= slump_ + kSlumpWindow && now >= last_search_ + kSearchPause;
 }
 
 // The estimate's heading at an earlier firing, by the gyroscope: a search begins where its window does.

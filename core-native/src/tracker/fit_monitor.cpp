@@ -15,7 +15,6 @@ constexpr double kMostDoubt = 4.0;
 constexpr int kWarmUp = 24;
 constexpr double kDoubtfulGain = 0.2;
 constexpr double kDoubtfulShare = 0.5;         // Of the usual gain.
-constexpr double kSlumpShare = 0.325;          // Of the usual gain.
 constexpr double kPoorGain = 0.08;             // A right place gains 0.4 to 1.2 nats a firing over the reference.
 constexpr double kPoorShare = 0.25;            // Of the usual gain.
 
@@ -45,12 +44,9 @@ void FitMonitor::reset() noexcept {
 }
 
 double FitMonitor::doubt() const noexcept {
-  return std::clamp(1.0 + 4.0 * (0.7 - last_second()), 1.0, kMostDoubt);
+  const double usual = std::max(0.4, long_);
+  return std::clamp(1.0 + 4.0 * (0.7 * usual - shortest_) / usual, 1.0, kMostDoubt);
 }
-
-double FitMonitor::last_second() const noexcept { return shortest_ / std::max(0.4, long_); }
-
-bool FitMonitor::slumped() const noexcept { return observed_ >= kWarmUp && last_second() < kSlumpShare; }
 
 bool FitMonitor::doubtful() const noexcept {
   return observed_ >= kWarmUp && short_ < std::max(kDoubtfulGain, kDoubtfulShare * long_);

@@ -19,15 +19,10 @@ class FitMonitor {
   [[nodiscard]] bool poor() const noexcept;
   /// They fit less well than they used to.
   [[nodiscard]] bool doubtful() const noexcept;
-  /// The last few did not: the wearer may have done what the belief did not follow.
-  [[nodiscard]] bool slumped() const noexcept;
   /// How many times more particles than usual the belief deserves: 1 when the last second fits, up to 4 when it does not.
   [[nodiscard]] double doubt() const noexcept;
 
  private:
-  /// Gain of the last second, as a share of the usual one.
-  [[nodiscard]] double last_second() const noexcept;
-
   double echo_share_ = 0.45;
   double shortest_ = 0.5;
   double short_ = 0.5;
