@@ -17,8 +17,8 @@ struct Ride {
   double end_rate;
   double longest_s;
 };
-constexpr Ride kStairs{5.0, 0.08, 45.0};     // A storey of two flights takes some seventeen seconds.
-constexpr Ride kElevator{5.0, 0.06, 90.0};
+constexpr Ride kStairs{8.0, 0.12, 45.0};     // A storey of two flights takes some seventeen seconds.
+constexpr Ride kElevator{8.0, 0.06, 90.0};
 constexpr double kObedience = 0.9;           // Who was told to go up and sets out goes up.
 constexpr double kLandingSigma = 0.6;        // Metres: where somebody steps off.
 constexpr double kLandingTurnSigma = degrees(8.0);
