@@ -19,7 +19,7 @@ struct MotionParameters {
   double stop_rate = 0.12;               ///< 1/s: walking ends,
   double start_rate = 0.35;              ///< and begins.
   double turning_stop_rate = 2.0;        ///< 1/s, added to these in a turn as fast as people make on the spot: in walking
-  double turning_start_rate = 4.0;       ///< they slow down for it.
+  double turning_start_rate = 1.0;       ///< they slow down for it.
   double start_sigma = 0.08;             ///< m/s: how well the usual pace tells the pace of a new start ...
   double new_pace_share = 0.1;           ///< ... unless the wearer sets out, so often, at another one,
   double slowest_pace = 0.3, fastest_pace = 1.6;   ///< m/s: anything between these,

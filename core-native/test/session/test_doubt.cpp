@@ -25,7 +25,7 @@ Result<sim::Simulation> stand_still(const Building& hall) {
   walk.start = {"hall", kHere};
   walk.world = sim::make_world(sim::Profile::empty);
   for (int quarter = 0; quarter < 4; ++quarter) walk.add(sim::TurnBy{degrees(90.0)});
-  walk.add(sim::Pause{60.0});
+  walk.add(sim::Pause{100.0});
   return sim::simulate(hall, walk);
 }
 
