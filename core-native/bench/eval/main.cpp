@@ -1,41 +1,41 @@
-// Measures the tracker on simulated walks through a building, or through a random office for each. Adds a row a walk to a
-// table; scripts/tracker_figures.sh says which walks docs/tracker.md shows.
+// Measures the tracker on simulated walks through a building, or through a random office for each: a row a walk.
+// scripts/tracker_figures.sh says which walks docs/tracker.md shows, and names the columns.
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
-#include <atomic>
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <thread>
-#include <vector>
-
-#include <fmt/format.h>
+#include <utility>
 
 #include "buildings.hpp"
 #include "echoway/building/loader.hpp"
 #include "echoway/sim/random_walk.hpp"
 #include "echoway/sim/simulate.hpp"
-#include "walk_score.hpp"
+#include "report/context.hpp"
+#include "report/following.hpp"
+#include "report/table.hpp"
 
 namespace echoway::eval {
 namespace {
 
 struct Options {
   std::string building;           // Empty: a random office for every walk.
-  std::string csv;
   std::string profile = "furnished";
   int walks = 16;
   int first = 1;
   int rooms = 4;
-  unsigned threads = std::thread::hardware_concurrency();
+  int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   double pace_mps = 0.5;
   double cover = 0.0;
   double teleport = 0.0;
   double seconds = 80.0;
   bool no_hints = false;
   bool unknown = false;
-  int particles = 0;
+  int particles = 0;              // 0: the tracker's own number.
 };
 
 template <class T>
@@ -44,65 +44,61 @@ T expect(Result<T> result) {
   return std::move(*result);
 }
 
-WalkScore walk_and_score(const Options& o, int number) {
+report::Estimator estimator_of(const Options& o) {
+  report::Estimator estimator = o.no_hints ? report::tracker_without_hints() : report::tracker();
+  if (o.unknown) estimator.told = report::Estimator::Told::nothing;
+  if (o.particles > 0) estimator.bayes.particles = estimator.bayes.particles_without_gyroscope = o.particles;
+  return estimator;
+}
+
+sim::Simulation walk_through(const Building& building, const Options& o, std::uint64_t seed) {
+  sim::RandomWalkOptions walk;
+  walk.speed_mps = o.pace_mps;
+  walk.teleport_probability = o.teleport;
+  walk.cover_probability = o.cover;
+  walk.duration_s = o.seconds;
+  walk.profile = *sim::profile_of(o.profile);
+  return expect(sim::simulate(building, sim::random_walk(building, walk, seed * 101 + 7)));
+}
+
+// Seconds until the place was right for three seconds in a row; -1: never.
+double found_after(const report::Track& track) {
+  constexpr double kFoundFor = 3.0;
+  double since = -1.0;
+  for (const report::Fix& fix : track.fixes) {
+    const bool right = fix.right() && fix.error_m < kMetresPerFoot;
+    if (!right) since = -1.0;
+    if (right && since < 0.0) since = fix.time_s;
+    if (right && fix.time_s - since > kFoundFor) return since - track.fixes.front().time_s;
+  }
+  return -1.0;
+}
+
+std::string row_of(const Options& o, int number) {
   const auto seed = static_cast<std::uint64_t>(number);
   const Building building = o.building.empty() ? random_office(o.rooms, seed) : expect(load_building(o.building));
-  const auto profile = sim::profile_of(o.profile);
-  if (!profile) throw std::runtime_error("--profile " + o.profile + ": no such profile");
-  sim::RandomWalkOptions w;
-  w.speed_mps = o.pace_mps;
-  w.teleport_probability = o.teleport;
-  w.cover_probability = o.cover;
-  w.duration_s = o.seconds;
-  w.profile = *profile;
-  const sim::Simulation walk = expect(sim::simulate(building, sim::random_walk(building, w, seed * 101 + 7)));
-  return score_walk(building, walk, {!o.unknown, !o.no_hints, o.particles, seed});
+  const sim::Simulation walk = walk_through(building, o, seed);
+  const report::Track track = report::follow({building, building, walk, kReferenceCelsius, seed}, estimator_of(o));
+  const report::Summary s = report::summarise(track);
+  report::Table row;
+  row.add(o.building.empty() ? "offices" : o.building, o.unknown ? "unknown" : "known", o.no_hints ? "no" : "yes", number,
+          track.fixes.size(), s.mean_m, to_degrees(s.turn_rad), s.right_room, s.within_2_sigma, found_after(track),
+          report::quantile(track.firing_us, 0.5), track.cpu_us(), report::quantile(track.firing_us, 1.0));
+  return row.text();
 }
-
-// Walks do not know of one another: which thread does which changes no score.
-std::vector<WalkScore> all_walks(const Options& o) {
-  std::vector<WalkScore> scores(static_cast<std::size_t>(o.walks));
-  std::atomic<int> next{0};
-  std::atomic<bool> failed{false};
-  const auto work = [&] {
-    for (int k = next++; k < o.walks && !failed; k = next++) {
-      try {
-        scores[static_cast<std::size_t>(k)] = walk_and_score(o, o.first + k);
-      } catch (const std::exception& problem) {
-        fmt::print(stderr, "walk {}: {}\n", o.first + k, problem.what());
-        failed = true;
-      }
-    }
-  };
-  std::vector<std::jthread> others;
-  for (unsigned i = 1; i < o.threads; ++i) others.emplace_back(work);
-  work();
-  others.clear();
-  return failed ? std::vector<WalkScore>{} : scores;
-}
-
-void write(const Options& o, const std::vector<WalkScore>& scores, std::FILE* out) {
-  for (std::size_t k = 0; k < scores.size(); ++k) {
-    const WalkScore& s = scores[k];
-    fmt::print(out, "{},{},{},{},{},{:.4f},{:.3f},{:.5f},{:.5f},{:.4f},{:.2f},{:.1f},{:.1f},{:.0f}\n", o.building.empty() ? "offices" : o.building,
-               o.unknown ? "unknown" : "known", o.no_hints ? "no" : "yes", o.first + static_cast<int>(k), s.firings, s.error_m,
-               s.heading_error_deg, s.right_room, s.within_2_sigma, s.sigma_m, s.found_s, s.median_us, s.mean_us, s.worst_us);
-  }
-}
-
-struct Close {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
 
 int run(const Options& o) {
-  const std::unique_ptr<std::FILE, Close> table(o.csv.empty() ? nullptr : std::fopen(o.csv.c_str(), "a"));
-  if (!o.csv.empty() && !table) {
-    fmt::print(stderr, "{}: cannot be written\n", o.csv);
+  report::Context context;
+  context.threads = o.threads;
+  try {
+    for (const std::string& row : report::run_all(context, o.walks, [&](int k) { return row_of(o, o.first + k); })) {
+      std::fputs(row.c_str(), stdout);
+    }
+  } catch (const std::exception& problem) {
+    fmt::print(stderr, "echoway_eval: {}\n", problem.what());
     return 1;
   }
-  const std::vector<WalkScore> scores = all_walks(o);
-  write(o, scores, table ? table.get() : stdout);
-  return scores.empty() ? 1 : 0;
+  return 0;
 }
 
 }  // namespace
@@ -110,22 +106,20 @@ int run(const Options& o) {
 
 int main(int argc, char** argv) {
   echoway::eval::Options o;
-  CLI::App app("The tracker on many simulated walks; a row a walk:\n"
-               "building,start,hints,walk,firings,error_m,heading_error_deg,right_room,within_2_sigma,sigma_m,found_s,median_us,mean_us,worst_us");
+  CLI::App app("The tracker on many simulated walks, a row a walk");
   app.add_option("--building", o.building, "A building's folder; a random office for each walk without")->check(CLI::ExistingDirectory);
   app.add_option("--rooms", o.rooms, "Rooms on either side of a random office")->check(CLI::Range(1, 200))->capture_default_str();
   app.add_option("--walks", o.walks, "How many")->check(CLI::Range(1, 100000))->capture_default_str();
   app.add_option("--first", o.first, "Number of the first; it says all about a walk")->capture_default_str();
   app.add_option("--seconds", o.seconds, "Of each, about")->check(CLI::Range(1.0, 3600.0))->capture_default_str();
   app.add_option("--speed", o.pace_mps, "m/s")->check(CLI::Range(0.1, 3.0))->capture_default_str();
-  app.add_option("--profile", o.profile, "Of the simulated world: empty, furnished, hard")->capture_default_str();
+  app.add_option("--profile", o.profile, "Of the simulated world")->check(CLI::IsMember({"empty", "furnished", "hard"}))->capture_default_str();
   app.add_option("--teleport", o.teleport, "Probability of being carried off at each goal")->check(CLI::Range(0.0, 1.0));
   app.add_option("--cover", o.cover, "Probability that the sensors are covered at each goal")->check(CLI::Range(0.0, 1.0));
   app.add_flag("--no-hints", o.no_hints, "Without the phone's motion sensors");
   app.add_flag("--unknown", o.unknown, "Without being told the start");
   app.add_option("--particles", o.particles, "The tracker's own number without")->check(CLI::Range(1, 2400));
-  app.add_option("--threads", o.threads, "Walks at a time")->check(CLI::Range(1u, 256u))->capture_default_str();
-  app.add_option("--csv", o.csv, "Add the rows to this file");
+  app.add_option("--threads", o.threads, "Walks at a time")->check(CLI::Range(1, 256))->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   return echoway::eval::run(o);
 }

@@ -151,7 +151,7 @@ std::string follow_once(const Walked& walked, const Variant& variant, int number
   Table rows;
   for (const Label& label : variant.labels) {
     rows.add(label.group, label.level, number, variant.estimator.name, s.mean_m, s.median_m, s.p90_m,
-             to_degrees(s.turn_rad), s.right_room, s.within_2_sigma, track.cpu_us);
+             to_degrees(s.turn_rad), s.right_room, s.within_2_sigma, track.cpu_us());
   }
   return rows.text();
 }

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
 
 #include "echoway/thesis/thesis_locator.hpp"
@@ -12,10 +13,10 @@
 namespace echoway::report {
 namespace {
 
-double thread_seconds() {
+double thread_microseconds() {
   std::timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
 }
 
 Start start_of(const Trial& trial, const Estimator& estimator, double time_s) {
@@ -76,27 +77,28 @@ Track follow_until(const Trial& trial, const Estimator& estimator, std::span<con
   const auto locator = make(trial, estimator, firings.front().time_s);
   if (estimator.thermometer) locator->on_temperature(trial.temperature_c);
   std::size_t next = 0;
-  double cpu_s = 0.0;
-  int followed = 0;
   for (const Firing& firing : firings) {
-    const double begin = thread_seconds();
+    const double begin = thread_microseconds();
     for (; next < trial.walk.motion.size() && trial.walk.motion[next].time_s <= firing.time_s; ++next) {
       const MotionHint& hint = trial.walk.motion[next];
       if (hint.kind == MotionKind::step ? estimator.steps : estimator.turns) locator->on_motion(hint);
     }
-    ++followed;
     const bool renewed = locator->on_firing(firing);
-    cpu_s += thread_seconds() - begin;
+    track.firing_us.push_back(thread_microseconds() - begin);
     const Estimate& estimate = locator->estimate();
     if (estimator.thesis && !renewed) continue;
     track.fixes.push_back(compare(trial, estimate, estimator.thesis ? estimate.time_s : firing.time_s));
     if (enough && enough(track.fixes.back())) break;
   }
-  track.cpu_us = 1e6 * cpu_s / followed;
   return track;
 }
 
 }  // namespace
+
+double Track::cpu_us() const {
+  const double sum = std::accumulate(firing_us.begin(), firing_us.end(), 0.0);
+  return firing_us.empty() ? 0.0 : sum / static_cast<double>(firing_us.size());
+}
 
 Estimator thesis_method() {
   Estimator e;

@@ -58,8 +58,11 @@ struct Fix {
 };
 
 struct Track {
-  std::vector<Fix> fixes;  ///< One for each renewed estimate.
-  double cpu_us = 0.0;     ///< A firing.
+  std::vector<Fix> fixes;         ///< One for each renewed estimate.
+  std::vector<double> firing_us;  ///< Processor time of each firing.
+
+  /// Mean processor time of a firing; 0 of none.
+  [[nodiscard]] double cpu_us() const;
 };
 
 /// Follows the walk's firings (all, or those given) with motion hints where the estimator takes them.
