@@ -87,8 +87,8 @@ void Certainty::update(const Estimate& e, bool suspended) noexcept {
   constexpr double kProof = degrees(90.0);
   constexpr double kSettled = 5.0;  // s after a jump
   const GuideConfig& c = *config_;
-  const bool fits = (e.state == TrackState::tracking || holds_though_unfit(e)) && e.room != kNoRoom;
-  const bool good = fits && e.sigma_m <= c.found_sigma_m && e.room_probability >= c.found_probability;
+  const bool fits = e.state == TrackState::tracking && e.room != kNoRoom;
+  const bool good = (fits || holds_though_unfit(e)) && e.sigma_m <= c.found_sigma_m && e.room_probability >= c.found_probability;
   if (!started_) {
     changing_since_ = e.time_s;
     told_ = good;
@@ -97,7 +97,7 @@ void Certainty::update(const Estimate& e, bool suspended) noexcept {
   started_ = true;
   const bool jumps = follow(e);
   if (jumps) jumped_s_ = e.time_s;
-  const bool bad = e.state != TrackState::tracking || e.room == kNoRoom || !(e.sigma_m <= c.lost_sigma_m) || !(e.room_probability >= c.lost_probability);
+  const bool bad = !fits || !(e.sigma_m <= c.lost_sigma_m) || !(e.room_probability >= c.lost_probability);
   fits_now_ = !bad;
   const bool lost = level_ == Level::lost;
   const bool change = lost ? good : bad && !suspended;

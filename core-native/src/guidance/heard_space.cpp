@@ -20,6 +20,11 @@ void HeardSpace::on_firing(const Firing& firing) noexcept {
   heard_[static_cast<std::size_t>(firing.sensor)] = {firing.time_s, echo ? firing.range_m + belt_->radius_m : -1.0};
 }
 
+std::optional<double> HeardSpace::fresh(int sensor, double now) const noexcept {
+  const Heard& h = heard_[static_cast<std::size_t>(sensor)];
+  return h.range_m < 0.0 || now - h.time_s > kFresh ? std::nullopt : std::optional(h.range_m);
+}
+
 std::optional<double> HeardSpace::way(double direction, double now) const noexcept {
   constexpr double kAbreast = degrees(62.0);  // what stands this far aside is met by a shoulder
   constexpr int kEnough = 2;                  // of the five sensors or so that look there
@@ -28,12 +33,12 @@ std::optional<double> HeardSpace::way(double direction, double now) const noexce
   int echoes = 0;
   std::optional<double> free;
   for (int i = 0; i < belt_->sensors; ++i) {
-    const Heard& h = heard_[static_cast<std::size_t>(i)];
+    const auto range = fresh(i, now);
     const double aside = wrap_angle(belt_->bearing(i) - direction);
-    if (h.range_m < 0.0 || now - h.time_s > kFresh || std::abs(aside) > kAbreast) continue;
+    if (!range || std::abs(aside) > kAbreast) continue;
     ++echoes;
-    if (h.range_m * std::abs(std::sin(aside)) > kHalfBreadth) continue;
-    const double on = h.range_m * std::cos(aside);
+    if (*range * std::abs(std::sin(aside)) > kHalfBreadth) continue;
+    const double on = *range * std::cos(aside);
     free = free ? std::min(*free, on) : on;
   }
   if (echoes < kEnough) return std::nullopt;
@@ -44,9 +49,9 @@ std::optional<double> HeardSpace::ahead(double now) const noexcept {
   const double half = kPi / belt_->sensors + degrees(13.0);
   std::optional<double> nearest;
   for (int i = 0; i < belt_->sensors; ++i) {
-    const Heard& h = heard_[static_cast<std::size_t>(i)];
-    if (h.range_m < 0.0 || now - h.time_s > kFresh || std::abs(wrap_angle(belt_->bearing(i))) > half) continue;
-    nearest = nearest ? std::min(*nearest, h.range_m) : h.range_m;
+    const auto range = fresh(i, now);
+    if (!range || std::abs(wrap_angle(belt_->bearing(i))) > half) continue;
+    nearest = nearest ? std::min(*nearest, *range) : *range;
   }
   return nearest;
 }

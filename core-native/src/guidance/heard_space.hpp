@@ -27,6 +27,9 @@ class HeardSpace {
     double time_s = -1e300;
     double range_m = -1.0;  ///< From the wearer's middle; negative: no echo.
   };
+  /// What a sensor hears, from the wearer's middle; none when nothing, or not any more.
+  [[nodiscard]] std::optional<double> fresh(int sensor, double now) const noexcept;
+
   const BeltConfig* belt_;
   std::array<Heard, kMaxSensors> heard_{};
 };
