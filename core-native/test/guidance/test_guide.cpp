@@ -292,12 +292,19 @@ TEST_F(GuideTest, LostItSearchesOnTheWayThatTheBestGuessTells) {
   EXPECT_EQ(sector_of(ways.front()), Sector::left);
 }
 
-TEST(Guide, ALostWearerIsAskedForNoMoreThanAStepWhereThereMayBeStairs) {
+/// Two rooms `width` metres wide, one above the other; stairs a metre before the end, and a desk at the far end upstairs.
+Building two_levels(double width) {
   Building b;
-  b.rooms.push_back(test::make_box("1", 12, 4));
-  b.rooms.push_back(test::make_box("2", 12, 4));
+  b.rooms.push_back(test::make_box("1", width, 4));
+  b.rooms.push_back(test::make_box("2", width, 4));
   b.rooms[1].level = 1;
-  b.links.push_back({LevelLinkKind::stairs, 0, {11, 2}, 1, {11, 2}});
+  b.links.push_back({LevelLinkKind::stairs, 0, {width - 1, 2}, 1, {width - 1, 2}});
+  b.places.push_back({1, {1, 2}, "Desk"});
+  return b;
+}
+
+TEST(Guide, ALostWearerIsAskedForNoMoreThanAStepWhereThereMayBeStairs) {
+  const Building b = two_levels(12);
   const auto longest_walk = [&](Vec2 place) {
     Listener wearer(b);
     (void)wearer.stand(3.0, 0, {5, 2}, 0.0);
@@ -703,12 +710,7 @@ TEST_F(GuideTest, AfterARestartThePlaceIsDoubtedByTheNewStartAlone) {
 }
 
 TEST(Guide, SendsTheWearerUpTheStairsAndTellsTheTracker) {
-  Building b;
-  b.rooms.push_back(test::make_box("1", 6, 4));
-  b.rooms.push_back(test::make_box("2", 6, 4));
-  b.rooms[1].level = 1;
-  b.links.push_back({LevelLinkKind::stairs, 0, {5, 2}, 1, {5, 2}});
-  b.places.push_back({1, {1, 2}, "Desk"});
+  const Building b = two_levels(6);
   Listener wearer(b);
   ASSERT_TRUE(wearer.guide.set_destination("Desk"));
   EXPECT_THAT(kinds(wearer.stand(5.0, 0, {2, 2}, 0.0)), Not(Contains(CueKind::take_link)));
@@ -733,15 +735,7 @@ class OnStairsTest : public ::testing::Test {
     ASSERT_THAT(kinds(wearer.stand(8.0, 0, {4.6, 2}, 0.0)), Contains(CueKind::take_link));
     ASSERT_TRUE(wearer.guide.take_level_transition());
   }
-  Building building = [] {
-    Building b;
-    b.rooms.push_back(test::make_box("1", 6, 4));
-    b.rooms.push_back(test::make_box("2", 6, 4));
-    b.rooms[1].level = 1;
-    b.links.push_back({LevelLinkKind::stairs, 0, {5, 2}, 1, {5, 2}});
-    b.places.push_back({1, {1, 2}, "Desk"});
-    return b;
-  }();
+  const Building building = two_levels(6);
   Listener wearer{building};
 };
 
@@ -772,11 +766,7 @@ TEST_F(OnStairsTest, WhoAsksAgainAndAgainFindsNoStairsAndIsNotWhereTheyAreThough
 }
 
 TEST(Guide, NobodyIsToldToTurnOnStairsThatTheyTookUnasked) {
-  Building b;
-  b.rooms.push_back(test::make_box("1", 6, 4));
-  b.rooms.push_back(test::make_box("2", 6, 4));
-  b.rooms[1].level = 1;
-  b.links.push_back({LevelLinkKind::stairs, 0, {5, 2}, 1, {5, 2}});
+  const Building b = two_levels(6);
   Listener wearer(b);
   (void)wearer.stand(4.0, 0, {4.6, 2}, 0.0);
   EXPECT_THAT(wearer.stay(20.0, lost(0)), IsEmpty());

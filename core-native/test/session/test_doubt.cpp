@@ -2,12 +2,12 @@
 // the same. Led from there they get nowhere.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <optional>
 #include <set>
 
 #include "echoway/session.hpp"
 #include "echoway/sim/simulate.hpp"
+#include "tracker/likely.hpp"
 #include "tracker/plans.hpp"
 #include "tracker/play.hpp"
 
@@ -36,12 +36,6 @@ struct Outcome {
   bool thinks_of_here = false;    ///< and whether it is in the end.
 };
 
-bool is_likely(const Session& session, Vec2 place) {
-  return std::ranges::any_of(session.hypotheses(), [&](const Hypothesis& h) {
-    return h.probability > 0.1 && distance(h.pose.position, place) < 0.5;
-  });
-}
-
 /// Led to where they would have to walk from the place that they said; `heading` is what they said of it.
 std::optional<Outcome> lead_from_the_wrong_place(std::optional<double> heading) {
   const Building hall = test::plain_hall();
@@ -53,13 +47,13 @@ std::optional<Outcome> lead_from_the_wrong_place(std::optional<double> heading) 
   Outcome outcome;
   test::play(*walk, **session, [&](std::size_t i) {
     const bool led = walk->scans.firings[i].time_s > kLed;
-    if (!led && is_likely(**session, kHere)) outcome.thought_of_here = true;
+    if (!led && test::is_likely((*session)->hypotheses(), kHere)) outcome.thought_of_here = true;
     for (Cue cue; (*session)->next_cue(cue);) {
       if (led) outcome.cues.insert(cue.kind);
     }
   });
   outcome.searching_at_last = (*session)->estimate().state == TrackState::searching;
-  outcome.thinks_of_here = is_likely(**session, kHere);
+  outcome.thinks_of_here = test::is_likely((*session)->hypotheses(), kHere);
   return outcome;
 }
 

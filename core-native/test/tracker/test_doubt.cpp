@@ -1,12 +1,12 @@
 // Whoever leads a wearer may doubt the place; here they were told to start at the wrong one of two that look the same.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "echoway/sim/random_walk.hpp"
 #include "echoway/sim/simulate.hpp"
 #include "echoway/tracker/bayes_locator.hpp"
+#include "tracker/likely.hpp"
 #include "tracker/plans.hpp"
 #include "tracker/play.hpp"
 
@@ -30,9 +30,7 @@ bool is_considered(std::uint64_t seed, bool doubted, bool keeps = false) {
     if (walk->scans.firings[i].time_s < kDoubted) return;
     if (doubted && !std::exchange(told, true)) locator.on_doubt();
     const Vec2 here = keeps ? kFarCorner - walk->truth[i].pose.position : walk->truth[i].pose.position;
-    considered = considered || std::ranges::any_of(locator.hypotheses(), [&](const Hypothesis& h) {
-      return h.probability > 0.1 && distance(h.pose.position, here) < 0.5;
-    });
+    considered = considered || test::is_likely(locator.hypotheses(), here);
   });
   return considered;
 }
