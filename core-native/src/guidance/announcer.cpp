@@ -81,8 +81,14 @@ bool same_length(double a, double b) noexcept {
   return std::abs(a - b) < (std::max(a, b) < feet(10.0) ? feet(1.0) : feet(5.0));
 }
 
+/// Lines that do not say which one they mean: of two doors one sounds like the other.
+bool is_nameless(CueKind kind) noexcept {
+  return kind == CueKind::door || kind == CueKind::stairs || kind == CueKind::elevator;
+}
+
 bool same_words(const Cue& a, const Cue& b) noexcept {
-  if (a.kind != b.kind || a.room != b.room || a.landmark != b.landmark || a.tail.present != b.tail.present) return false;
+  if (a.kind != b.kind || a.room != b.room || a.up != b.up || a.tail.present != b.tail.present) return false;
+  if (a.landmark != b.landmark && !is_nameless(a.kind)) return false;
   const bool same_side = a.kind == CueKind::bear ? (a.direction > 0.0) == (b.direction > 0.0)
                                                  : sector_of(a.direction) == sector_of(b.direction);
   if (!same_side || !same_length(a.distance_m, b.distance_m)) return false;
