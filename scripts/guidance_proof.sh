@@ -4,8 +4,7 @@ set -eu
 binary=$1 out=$2
 rows=$out/guidance-proof.csv traces=$out/guidance-traces.csv
 mkdir -p "$out"
-echo "map,source,walk,arrived,time_s,walked_m,shortest_m,touches,wrong,instructions,cues,end_error_m,track_error_m,room_right,bumps,wrong_place,leading,barred" > "$rows"
-echo "map,source,walk,kind,x_m,y_m,level,text" > "$traces"
+rm -f "$rows" "$traces"
 maps=(maps/*/)
 maps=("${maps[@]%/}")
 "$binary" "$rows" "$traces" 200 noise "${maps[@]}" office grid levels

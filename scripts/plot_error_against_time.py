@@ -4,12 +4,12 @@ Usage: plot_error_against_time.py CSV --plot PNG --page MD
 """
 
 import argparse
-import csv
 import os
 from pathlib import Path
 
 import machine
 import matplotlib
+import tables
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
@@ -22,11 +22,11 @@ SERIES = (("bayes", "1", "tracker, motion hints", "#0072b2", "o"), ("bayes", "0"
 
 
 def read(path):
-    lines = Path(path).read_text(encoding="utf-8").splitlines()
-    words = lines[0].lstrip("# ").split()
-    head = dict(zip(words[::2], words[1::2]))
+    with open(path, encoding="utf-8") as file:
+        words = file.readline().lstrip("# ").split()
+    head = tables.Row(zip(words[::2], words[1::2]), path)
     defaults = {"1": int(head["default_particles"]), "0": int(head["without_hints"])}
-    return float(head["one_scan_floor_m"]), defaults, list(csv.DictReader(lines[1:]))
+    return float(head["one_scan_floor_m"]), defaults, tables.read(path)
 
 
 def draw(floor, rows, out):

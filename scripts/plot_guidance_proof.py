@@ -3,12 +3,12 @@
 
 Writes OUT_DIR/guidance-proof.md (the table) and OUT_DIR/guidance-proof.png (walks and distributions).
 """
-import csv
 import sys
 from collections import OrderedDict, defaultdict
 from pathlib import Path
 
 import matplotlib
+import tables
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
@@ -112,10 +112,10 @@ def draw(groups, traces, out):
 def main():
     rows_file, traces_file, out = sys.argv[1:4]
     groups = OrderedDict()
-    for row in csv.DictReader(open(rows_file)):
+    for row in tables.read(rows_file):
         groups.setdefault((row["source"], row["map"]), []).append(row)
     traces = defaultdict(list)
-    for row in csv.DictReader(open(traces_file)):
+    for row in tables.read(traces_file):
         traces[row["map"], row["source"], row["walk"]].append(row)
     Path(out, "guidance-proof.md").write_text(
         "<!-- Written by `make guidance-proof`; do not edit. -->\n\n" + table(groups) + "\n" + barred(groups) + "\n![Walks by cues alone](guidance-proof.png)\n"

@@ -4,24 +4,19 @@ Usage: plot_track.py --echoway PROGRAM --building DIR --truth F --track F --out 
 """
 
 import argparse
-import csv
 import json
 import math
 import subprocess
 from pathlib import Path
 
 import matplotlib
+import tables
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 TRUE_COLOUR = "#0072b2"
 ESTIMATE_COLOUR = "#d55e00"
-
-
-def read_log(path):
-    with open(path, encoding="utf-8") as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
 def describe(echoway, building):
@@ -96,10 +91,10 @@ def main():
     arguments = parser.parse_args()
     building = describe(arguments.echoway, arguments.building)
     rooms = {room["id"]: room for room in building["rooms"]}
-    truth_rows = read_log(arguments.truth)
+    truth_rows = tables.read(arguments.truth)
     truth = [placed(row, rooms) for row in truth_rows]
     walked = {row["room"] for row in truth_rows}
-    rows = read_log(arguments.track)
+    rows = tables.read(arguments.track)
     track = [placed(row, rooms) for row in rows]
     levels = sorted({level for _, level, _, _ in truth})
 

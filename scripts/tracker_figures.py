@@ -1,11 +1,11 @@
 """Puts the table that `tracker_figures.sh` writes into a page, between the lines that say so: tracker_figures.py CSV PAGE.md"""
 
-import csv
 import itertools
 import sys
 from pathlib import Path
 
 import machine
+import tables
 
 FEET = 0.3048
 BEGIN, END = "<!-- figures: make tracker-figures -->", "<!-- end of figures -->"
@@ -47,8 +47,7 @@ def figures(rows):
 
 def main():
     table, page = map(Path, sys.argv[1:])
-    with table.open(encoding="utf-8", newline="") as rows:
-        text = figures(list(csv.DictReader(rows)))
+    text = figures(tables.read(table))
     before, rest = page.read_text(encoding="utf-8").split(BEGIN)
     after = rest.split(END)[1]
     page.write_text(before + "\n".join([BEGIN, *text, END]) + after, encoding="utf-8")

@@ -4,7 +4,7 @@
 set -eu
 binary=$1 out=$2
 mkdir -p "$(dirname "$out")"
-echo "building,start,hints,walk,firings,error_m,heading_error_deg,right_room,within_2_sigma,found_s,median_us,mean_us,worst_us" > "$out"
+"$binary" --head > "$out"
 offices() { "$binary" --first 1200 --walks 24 --seconds 80 "$@" >> "$out"; }
 map() { local name=$1; shift; "$binary" --building "maps/$name" --first 900 --walks 12 --seconds 90 "$@" >> "$out"; }
 for hints in "" --no-hints; do

@@ -1,8 +1,8 @@
 """Reads the tables that echoway_report leaves."""
 
-import csv
 import json
 import subprocess
+import sys
 from collections import defaultdict
 from pathlib import Path
 
@@ -10,14 +10,16 @@ import numpy as np
 
 from style import FEET
 
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+import tables  # noqa: E402
+
 
 class Tables:
     def __init__(self, folder, echoway, maps):
         self.folder, self.echoway, self.maps = Path(folder), echoway, Path(maps)
 
     def rows(self, name):
-        with open(self.folder / f"{name}.csv", encoding="utf-8", newline="") as file:
-            return list(csv.DictReader(file))
+        return tables.read(self.folder / f"{name}.csv")
 
     def room(self, building, room):
         """A room's walls and all-reflective lines in its own frame, feet."""

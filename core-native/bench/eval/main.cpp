@@ -1,5 +1,5 @@
 // Measures the tracker on simulated walks through a building, or through a random office for each: a row a walk.
-// scripts/tracker_figures.sh says which walks docs/tracker.md shows, and names the columns.
+// scripts/tracker_figures.sh says which walks docs/tracker.md shows.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -22,6 +22,9 @@
 namespace echoway::eval {
 namespace {
 
+constexpr const char* kColumns =
+    "building,start,hints,walk,firings,error_m,heading_error_deg,right_room,within_2_sigma,found_s,median_us,mean_us,worst_us";
+
 struct Options {
   std::string building;           // Empty: a random office for every walk.
   std::string profile = "furnished";
@@ -35,6 +38,7 @@ struct Options {
   double seconds = 80.0;
   bool no_hints = false;
   bool unknown = false;
+  bool head = false;
   int particles = 0;              // 0: the tracker's own number.
 };
 
@@ -88,6 +92,10 @@ std::string row_of(const Options& o, int number) {
 }
 
 int run(const Options& o) {
+  if (o.head) {
+    fmt::print("{}\n", kColumns);
+    return 0;
+  }
   report::Context context;
   context.threads = o.threads;
   try {
@@ -116,6 +124,7 @@ int main(int argc, char** argv) {
   app.add_option("--profile", o.profile, "Of the simulated world")->check(CLI::IsMember({"empty", "furnished", "hard"}))->capture_default_str();
   app.add_option("--teleport", o.teleport, "Probability of being carried off at each goal")->check(CLI::Range(0.0, 1.0));
   app.add_option("--cover", o.cover, "Probability that the sensors are covered at each goal")->check(CLI::Range(0.0, 1.0));
+  app.add_flag("--head", o.head, "Only name the columns of the rows, and leave");
   app.add_flag("--no-hints", o.no_hints, "Without the phone's motion sensors");
   app.add_flag("--unknown", o.unknown, "Without being told the start");
   app.add_option("--particles", o.particles, "The tracker's own number without")->check(CLI::Range(1, 2400));

@@ -47,7 +47,7 @@ Task draw_task(const Router& router, Random& random) {
 }
 
 void write_row(const WalkName& walk, const Building& building, const TrackedPose* tracked, const test::WalkOutcome& o,
-               int barred, std::FILE* rows) {
+               int barred, report::TableFile& rows) {
   double error = 0.0;
   double right = 1.0;
   if (tracked != nullptr && !tracked->errors().empty()) {
@@ -56,16 +56,16 @@ void write_row(const WalkName& walk, const Building& building, const TrackedPose
     right = tracked->room_right();
   }
   const auto leading = std::count_if(o.cues.begin(), o.cues.end(), [](const test::HeardCue& c) { return leads(c.cue); });
-  std::fprintf(rows, "%s,%s,%llu,%d,%.1f,%.2f,%.2f,%d,%d,%d,%zu,%.2f,%.3f,%.3f,%d,%d,%d,%d\n", walk.map.c_str(),
-               walk.source.c_str(), static_cast<unsigned long long>(walk.seed), o.arrived ? 1 : 0, o.time_s, o.walked_m,
-               o.shortest_m, o.touches, o.wrong_cues, o.instructions, o.cues.size(), o.end_error_m, error, right, o.bumps,
-               tracked != nullptr ? told_from_wrong_place(building, *tracked, o) : 0, static_cast<int>(leading), barred);
-  std::fflush(rows);
+  using report::fixed;
+  rows.add(walk.map, walk.source, walk.seed, o.arrived ? 1 : 0, fixed(o.time_s, 1), fixed(o.walked_m, 2),
+           fixed(o.shortest_m, 2), o.touches, o.wrong_cues, o.instructions, o.cues.size(), fixed(o.end_error_m, 2),
+           fixed(error, 3), fixed(right, 3), o.bumps,
+           tracked != nullptr ? told_from_wrong_place(building, *tracked, o) : 0, leading, barred);
 }
 
 }  // namespace
 
-void walk(const std::string& name, const Router& router, const std::string& source, std::uint64_t seed, Files out) {
+void walk(const std::string& name, const Router& router, const std::string& source, std::uint64_t seed, Files& out) {
   Random random(7000 + seed);
   const auto [start, end, way] = draw_task(router, random);
   const double heading = random.uniform(-kPi, kPi);

@@ -1,4 +1,5 @@
-// The proof of guidance: blindfolded wearers walk through buildings by cues alone. One row a walk, as CSV.
+// The proof of guidance: blindfolded wearers walk through buildings by cues alone. One row a walk, as CSV,
+// behind what the files hold already.
 //   guidance_proof OUT.csv TRACES.csv WALKS SOURCE MAP...
 // WALKS: how many; or A-B for walks A to B - 1; or #N for walk N alone, with its diary on the standard output.
 // SOURCE: noise (truth with 0.12 m and 4 degrees of drifting error), empty or furnished (the tracker on the simulated
@@ -7,6 +8,7 @@
 // building's folder, or office, grid, levels for one made here.
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <string>
 #include <utility>
 
@@ -25,18 +27,14 @@ std::pair<int, int> walks_of(const std::string& which) {
   return dash == std::string::npos ? std::pair{0, number} : std::pair{number, std::atoi(which.c_str() + dash + 1)};
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   using namespace echoway;
   if (argc < 6) {
     std::fprintf(stderr, "usage: guidance_proof OUT.csv TRACES.csv WALKS SOURCE MAP...\n");
     return 2;
   }
-  proof::Files out{std::fopen(argv[1], "a"), std::fopen(argv[2], "a")};
-  if (out.rows == nullptr || out.traces == nullptr) return 1;
   const std::string which = argv[3];
-  out.diary = which.front() == '#';
+  proof::Files out{{argv[1], proof::kWalkColumns}, {argv[2], proof::kTraceColumns}, which.front() == '#'};
   const auto [first, last] = walks_of(which);
   const std::string source = argv[4];
   for (int i = 5; i < argc; ++i) {
@@ -51,7 +49,16 @@ int main(int argc, char** argv) {
     proof::draw_walls(name, router, out.traces);
     for (int seed = first; seed < last; ++seed) proof::walk(name, router, source, static_cast<std::uint64_t>(seed), out);
   }
-  std::fclose(out.rows);
-  std::fclose(out.traces);
   return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& problem) {
+    std::fprintf(stderr, "guidance_proof: %s\n", problem.what());
+    return 1;
+  }
 }

@@ -46,4 +46,7 @@ class Table {
   std::string text_;
 };
 
+/// A cell with so many decimals.
+[[nodiscard]] inline std::string fixed(double value, int decimals) { return fmt::format("{:.{}f}", value, decimals); }
+
 }  // namespace echoway::report
