@@ -196,10 +196,7 @@ class Line {
 
   [[nodiscard]] std::string level() const {
     const LevelLink* l = link();
-    const auto rooms = building_.rooms.size();
-    if (l == nullptr || static_cast<std::size_t>(l->room_a) >= rooms || static_cast<std::size_t>(l->room_b) >= rooms) {
-      return {};
-    }
+    if (l == nullptr || !building_.has_room(l->room_a) || !building_.has_room(l->room_b)) return {};
     const int a = building_.room(l->room_a).level;
     const int b = building_.room(l->room_b).level;
     if (a == b) return {};
