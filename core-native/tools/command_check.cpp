@@ -3,19 +3,21 @@
 #include <string>
 
 #include "commands.hpp"
+#include "console.hpp"
 #include "echoway/building/loader.hpp"
+#include "option_checks.hpp"
 
 namespace echoway::tools {
 
 void add_check(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("check", "Lint a building folder: file:line: problem");
   auto dir = std::make_shared<std::string>();
-  command->add_option("DIR", *dir, "Building folder")->required();
+  command->add_option("DIR", *dir, "Building folder")->required()->check(not_empty());
   command->callback([dir, &status] {
     for (const Finding& finding : check_building(*dir)) {
       const bool unusable = finding.severity == Finding::Severity::unusable;
-      fmt::print(unusable ? stderr : stdout, "{}\n", finding.to_string());
-      if (unusable) status = 2;
+      if (unusable) status = bad_input({finding.message, finding.file, finding.line});
+      else fmt::print("{}\n", finding.to_string());
     }
   });
 }

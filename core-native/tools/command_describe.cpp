@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "console.hpp"
 #include "echoway/building/loader.hpp"
-#include "session_options.hpp"
+#include "option_checks.hpp"
 
 namespace echoway::tools {
 namespace {
@@ -93,7 +94,7 @@ void add_describe(CLI::App& app, int& status) {
   auto* command = app.add_subcommand(
       "describe", "Print a building as JSON, placed: metres in the levels' frames, for drawing and for other programs");
   auto dir = std::make_shared<std::string>();
-  command->add_option("DIR", *dir, "Building folder")->required();
+  command->add_option("DIR", *dir, "Building folder")->required()->check(not_empty());
   command->callback([dir, &status] { status = describe_building(*dir); });
 }
 

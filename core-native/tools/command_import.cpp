@@ -4,22 +4,17 @@
 #include <string>
 
 #include "commands.hpp"
+#include "console.hpp"
 #include "echoway/import/import.hpp"
 #include "echoway/io/atomic_file.hpp"
+#include "option_checks.hpp"
 
 namespace echoway::tools {
 namespace {
 
-constexpr int kBadInput = 2;
-
 struct Options {
   std::string format, source, out, report;
 };
-
-int fail(const Error& error) {
-  fmt::print(stderr, "{}\n", error.to_string());
-  return kBadInput;
-}
 
 Status write_report(const std::string& path, const std::string& text) {
   Result<AtomicFile> file = AtomicFile::create(path);
@@ -40,7 +35,7 @@ std::string summary(const Building& building, const import::LonLat& centre, cons
 
 int run(const Options& options) {
   const Result<import::SourceFormat> format = import::parse_source_format(options.format);
-  if (!format) return fail(format.error());
+  if (!format) return bad_input(format.error());
   import::Report report;
   const Result<import::ImportedBuilding> imported = import::import_building(*format, options.source, report);
   std::string text;
@@ -53,7 +48,7 @@ int run(const Options& options) {
   }
   fmt::print("{}", text);
   if (done && !options.report.empty()) done = write_report(options.report, text);
-  return done ? 0 : fail(done.error());
+  return done ? 0 : bad_input(done.error());
 }
 
 }  // namespace
@@ -63,8 +58,8 @@ void add_import(CLI::App& app, int& status) {
   auto options = std::make_shared<Options>();
   command->add_option("FORMAT", options->format, "wrld: WRLD indoor map 1.0.0 (folder or zip); imdf: IMDF (folder or "
                                                  "zip); osm: OpenStreetMap XML with Simple Indoor Tagging")->required();
-  command->add_option("SOURCE", options->source, "The plan")->required();
-  command->add_option("--out", options->out, "Building folder to write")->required();
+  command->add_option("SOURCE", options->source, "The plan")->required()->check(not_empty());
+  command->add_option("--out", options->out, "Building folder to write")->required()->check(not_empty());
   command->add_option("--report", options->report, "Also write every repair and every open question to this file");
   command->callback([options, &status] { status = run(*options); });
 }

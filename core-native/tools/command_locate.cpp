@@ -1,20 +1,28 @@
 #include <fmt/core.h>
 
 #include <chrono>
+#include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
+#include "console.hpp"
 #include "cue_collector.hpp"
 #include "echoway/building/loader.hpp"
 #include "echoway/io/atomic_file.hpp"
 #include "echoway/io/logs.hpp"
+#include "option_checks.hpp"
 #include "session_options.hpp"
 
 namespace echoway::tools {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct LocateOptions {
   SessionOptions session;
@@ -74,10 +82,33 @@ Status write_cues(const std::vector<SpokenCue>& cues, const std::string& path) {
   return file->commit();
 }
 
+/// Whether `a` and `b` are one file or will be; terminals and the like take any number of logs.
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(a, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return false;
+  return fs::weakly_canonical(a, ignored) == fs::weakly_canonical(b, ignored) || fs::equivalent(a, b, ignored);
+}
+
+/// No output may take the place of an input or of the other output.
+Status check_outputs(const LocateOptions& options) {
+  const std::pair<const char*, const std::string&> files[] = {
+      {"--scans", options.scans}, {"--motion", options.motion}, {"--track", options.track}, {"--cues", options.cues}};
+  for (std::size_t output = 2; output < std::size(files); ++output) {
+    const auto& [name, path] = files[output];
+    for (std::size_t other = 0; other < output; ++other) {
+      if (path.empty() || files[other].second.empty() || !same_file(path, files[other].second)) continue;
+      return Error{fmt::format("{} and {} name the same file; give each its own", files[other].first, name), path};
+    }
+  }
+  return success();
+}
+
 int locate(const LocateOptions& options) {
+  if (const Status distinct = check_outputs(options); !distinct) return bad_input(distinct.error());
   Result<Building> building = load_building(options.session.building);
   if (!building) return bad_input(building.error());
-  const Result<ScanLog> scans = read_scan_log(options.scans);
+  const Result<ScanLog> scans = read_scan_log(options.scans, options.session.sensors);
   if (!scans) return bad_input(scans.error());
   std::vector<MotionHint> hints;
   if (!options.motion.empty()) {
@@ -134,10 +165,11 @@ void add_locate(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("locate", "Room and pose from a scan log");
   auto options = std::make_shared<LocateOptions>();
   options->session.add_to(*command);
-  command->add_option("--scans", options->scans, "Scan log (*.scans.csv)")->required();
-  command->add_option("--motion", options->motion, "Motion log (*.motion.csv)");
-  command->add_option("--track", options->track, "Track to write")->required();
-  command->add_option("--cues", options->cues, "What would be spoken and when, to write (time_s,kind,text)");
+  command->add_option("--scans", options->scans, "Scan log (*.scans.csv)")->required()->check(not_empty());
+  command->add_option("--motion", options->motion, "Motion log (*.motion.csv)")->check(not_empty());
+  command->add_option("--track", options->track, "Track to write")->required()->check(not_empty());
+  command->add_option("--cues", options->cues, "What would be spoken and when, to write (time_s,kind,text)")
+      ->check(not_empty());
   command->callback([options, &status] { status = locate(*options); });
 }
 

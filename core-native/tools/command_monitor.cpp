@@ -10,8 +10,10 @@
 #include <thread>
 
 #include "commands.hpp"
+#include "console.hpp"
 #include "echoway/building/loader.hpp"
 #include "live_report.hpp"
+#include "option_checks.hpp"
 #include "serial_port.hpp"
 #include "session_options.hpp"
 
@@ -108,7 +110,7 @@ void add_monitor(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("monitor", "Room and pose, live from the belt's serial port");
   auto options = std::make_shared<MonitorOptions>();
   options->session.add_to(*command);
-  command->add_option("--port", options->port, "Serial device of the belt, or a pseudo-terminal")->required();
+  command->add_option("--port", options->port, "Serial device of the belt, or a pseudo-terminal")->required()->check(not_empty());
   command->add_option("--baud", options->baud, "Baud rate")->capture_default_str();
   command->callback([options, &status] { status = monitor(*options); });
 }

@@ -15,10 +15,11 @@
 #include <thread>
 
 #include "commands.hpp"
+#include "console.hpp"
 #include "echoway/belt/sentence.hpp"
 #include "echoway/io/logs.hpp"
 #include "echoway/units.hpp"
-#include "session_options.hpp"
+#include "option_checks.hpp"
 
 namespace echoway::tools {
 namespace {
@@ -98,8 +99,8 @@ int play(const PlayOptions& options) {
 void add_play(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("play", "Play a scan log as a belt on a new pseudo-terminal, whose name it prints");
   auto options = std::make_shared<PlayOptions>();
-  command->add_option("--scans", options->scans, "Scan log (*.scans.csv)")->required();
-  command->add_option("--speed", options->speed, "Times real time")->check(CLI::Range(0.01, 1000.0))->capture_default_str();
+  command->add_option("--scans", options->scans, "Scan log (*.scans.csv)")->required()->check(not_empty());
+  command->add_option("--speed", options->speed, "Times real time")->check(decimal(0.01, 1000.0))->capture_default_str();
   command->callback([options, &status] { status = play(*options); });
 }
 

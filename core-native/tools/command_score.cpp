@@ -4,11 +4,12 @@
 #include <string>
 
 #include "commands.hpp"
+#include "console.hpp"
 #include "echoway/building/loader.hpp"
 #include "echoway/io/logs.hpp"
 #include "echoway/units.hpp"
+#include "option_checks.hpp"
 #include "score.hpp"
-#include "session_options.hpp"
 
 namespace echoway::tools {
 namespace {
@@ -44,9 +45,9 @@ int score(const ScoreOptions& options) {
 void add_score(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("score", "Hold a track against the truth");
   auto options = std::make_shared<ScoreOptions>();
-  command->add_option("--building", options->building, "Building folder")->required();
-  command->add_option("--track", options->track, "Track to judge")->required();
-  command->add_option("--truth", options->truth, "Truth log (*.truth.csv)")->required();
+  command->add_option("--building", options->building, "Building folder")->required()->check(not_empty());
+  command->add_option("--track", options->track, "Track to judge")->required()->check(not_empty());
+  command->add_option("--truth", options->truth, "Truth log (*.truth.csv)")->required()->check(not_empty());
   command->callback([options, &status] { status = score(*options); });
 }
 

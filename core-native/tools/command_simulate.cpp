@@ -7,17 +7,18 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "console.hpp"
 #include "echoway/building/loader.hpp"
+#include "echoway/io/atomic_file.hpp"
 #include "echoway/io/logs.hpp"
 #include "echoway/sim/random_walk.hpp"
 #include "echoway/sim/simulate.hpp"
 #include "echoway/sim/walk_file.hpp"
 #include "echoway/text/number.hpp"
+#include "option_checks.hpp"
 
 namespace echoway::tools {
 namespace {
-
-constexpr int kBadInput = 2;
 
 struct Options {
   std::string building;
@@ -67,11 +68,8 @@ Status set_parameters(const Options& options, sim::World& world) {
   return success();
 }
 
-Result<sim::Profile> profile_of(const Options& options) {
-  const std::optional<sim::Profile> profile = sim::profile_of(options.profile);
-  if (!profile) return Error{"--profile is empty, furnished or hard, not " + options.profile};
-  return *profile;
-}
+/// One of the three, says the option's check.
+sim::Profile profile_of(const Options& options) { return sim::profile_of(options.profile).value(); }
 
 // A walk file names its building relative to itself.
 std::string building_of(const Options& options, const sim::Walk& walk) {
@@ -84,26 +82,20 @@ Result<sim::Walk> get_walk(const Options& options) {
     if (options.building.empty()) return Error{"--random needs --building"};
     const Result<Building> building = load_building(options.building);
     if (!building.ok()) return building.error();
-    const Result<sim::Profile> profile = profile_of(options);
-    if (!profile.ok()) return profile.error();
     sim::RandomWalkOptions wanted;
     wanted.duration_s = options.random_s;
-    wanted.profile = *profile;
+    wanted.profile = profile_of(options);
     return sim::random_walk(*building, wanted, options.seed.value_or(1));
   }
   if (options.walk.empty()) return Error{"say which walk: --walk FILE, or --random SECONDS"};
   return sim::read_walk(options.walk);
 }
 
-Status write_text(const std::string& text, const std::filesystem::path& file) {
-  const std::filesystem::path beside = file.string() + ".part";
-  std::FILE* out = std::fopen(beside.c_str(), "wb");
-  if (out == nullptr) return Error{"cannot be written", file.string(), 0};
-  const bool written = std::fwrite(text.data(), 1, text.size(), out) == text.size();
-  if (std::fclose(out) != 0 || !written) return Error{"cannot be written", file.string(), 0};
-  std::error_code error;
-  std::filesystem::rename(beside, file, error);
-  return error ? Status(Error{"cannot be written", file.string(), 0}) : success();
+Status write_text(const std::string& text, const std::string& path) {
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return file.error();
+  file->write(text);
+  return file->commit();
 }
 
 // One scan at each pose of a truth file.
@@ -113,10 +105,9 @@ Status scan_at(const Options& options) {
   if (!building.ok()) return building.error();
   const Result<std::vector<TruthRow>> stands = read_truth_log(options.stands);
   if (!stands.ok()) return stands.error();
-  const Result<sim::Profile> profile = profile_of(options);
-  if (!profile.ok()) return profile.error();
+  const sim::Profile profile = profile_of(options);
   Random random(options.seed.value_or(1));
-  sim::World world = options.draw_world ? sim::random_world(*profile, random) : sim::make_world(*profile);
+  sim::World world = options.draw_world ? sim::random_world(profile, random) : sim::make_world(profile);
   if (Status status = set_parameters(options, world); !status.ok()) return status;
   sim::Ring ring;
   ring.belt.radius_m = options.radius_m;
@@ -138,14 +129,10 @@ Status simulate(const Options& options) {
   const std::uint64_t seed = options.random_s > 0.0 ? walk->seed : options.seed.value_or(walk->seed);
   const Result<sim::Simulation> run = sim::simulate(*building, *walk, seed);
   if (!run.ok()) return run.error();
-  for (const Status& status :
-       {write_scan_log(run->scans, options.out + ".scans.csv"),
-        write_motion_log(run->motion, options.out + ".motion.csv"),
-        write_truth_log(run->truth, options.out + ".truth.csv"),
-        options.random_s > 0.0 ? write_text(sim::format_walk(*walk), options.out + ".walk") : success()}) {
-    if (!status.ok()) return status;
-  }
-  return success();
+  if (const Status written = write_scan_log(run->scans, options.out + ".scans.csv"); !written) return written;
+  if (const Status written = write_motion_log(run->motion, options.out + ".motion.csv"); !written) return written;
+  if (const Status written = write_truth_log(run->truth, options.out + ".truth.csv"); !written) return written;
+  return options.random_s > 0.0 ? write_text(sim::format_walk(*walk), options.out + ".walk") : success();
 }
 
 }  // namespace
@@ -153,27 +140,35 @@ Status simulate(const Options& options) {
 void add_simulate(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("simulate", "Walk a wearer through a building: scans, motion hints and the truth");
   auto options = std::make_shared<Options>();
-  command->add_option("--building", options->building, "Building folder (default: the one that the walk names)");
-  command->add_option("--walk", options->walk, "Walk file (docs/walk-files.md)");
-  command->add_option("--random", options->random_s, "Instead of a walk file: a random walk of about so many seconds")
-      ->check(CLI::Range(1.0, 36000.0));
-  command->add_option("--profile", options->profile, "Of a random walk or a scan: empty, furnished or hard");
-  command->add_option("--at", options->stands, "Instead of a walk: one scan at each pose of this truth file");
+  command->add_option("--building", options->building, "Building folder (default: the one that the walk names)")
+      ->check(not_empty());
+  auto* walk = command->add_option("--walk", options->walk, "Walk file (docs/walk-files.md)")->check(not_empty());
+  auto* random = command->add_option("--random", options->random_s, "Instead of a walk file: a random walk of about so many seconds")
+      ->check(decimal(1.0, 36000.0))
+      ->excludes(walk);
+  command->add_option("--profile", options->profile, "Of a random walk or a scan")
+      ->check(CLI::IsMember({"empty", "furnished", "hard"}))
+      ->capture_default_str();
+  command->add_option("--at", options->stands, "Instead of a walk: one scan at each pose of this truth file")
+      ->check(not_empty())
+      ->excludes(walk)
+      ->excludes(random);
   command->add_flag("--draw-world", options->draw_world, "For --at: draw the world's parameters from the seed");
   command->add_option("--bearings", options->bearings, "For --at: the sensors' bearings, degrees (default: the belt's)")
-      ->delimiter(',');
-  command->add_option("--radius", options->radius_m, "For --at: from the axis to the transducers, metres");
+      ->delimiter(',')
+      ->check(decimal(-36000.0, 36000.0));
+  command->add_option("--radius", options->radius_m, "For --at: from the axis to the transducers, metres")
+      ->check(decimal(0.0, 2.0));
   command->add_option("--world", options->world, "Change a parameter of the world: name=value (repeatable)")
       ->allow_extra_args(false);
-  command->add_option("--seed", options->seed, "Instead of the walk's own");
+  command->add_option("--seed", options->seed, "Instead of the walk's own")->check(whole(0));
   command->add_option("--out", options->out, "Writes PREFIX.scans.csv, PREFIX.motion.csv and PREFIX.truth.csv");
   command->add_flag("--parameters", options->parameters, "List the world's parameters and leave");
   command->callback([options, &status] {
     if (options->parameters) return print_parameters();
     const Status done = options->out.empty() ? Status(Error{"say where to write: --out PREFIX"}) : simulate(*options);
     if (done.ok()) return;
-    fmt::print(stderr, "{}\n", done.error().to_string());
-    status = kBadInput;
+    status = bad_input(done.error());
   });
 }
 

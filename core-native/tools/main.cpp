@@ -1,29 +1,28 @@
 #include <CLI/CLI.hpp>
 #include <exception>
-#include <fmt/core.h>
+#include <string>
 
 #include "commands.hpp"
-
-namespace {
-
-constexpr int kDone = 0;
-constexpr int kInternalError = 1;
-constexpr int kBadUsage = 2;
-
-}  // namespace
+#include "console.hpp"
 
 int main(int argc, char** argv) {
+  using namespace echoway::tools;
   CLI::App app{"Echoway: where am I indoors, by ultrasound"};
-  app.require_subcommand(1);
+  // Not require_subcommand(1): that says of a mistyped command only that one is required.
+  app.require_subcommand(0, 1);
   int status = kDone;
-  echoway::tools::add_commands(app, status);
+  add_commands(app, status);
   try {
     app.parse(argc, argv);
+    if (app.get_subcommands().empty()) {
+      complain("Say what to do; `echoway --help` lists the commands");
+      return kBadInput;
+    }
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kBadUsage;
+    status = app.exit(error) == 0 ? kDone : kBadInput;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "echoway: internal error: {}\n", error.what());
+    complain(std::string("echoway: internal error: ") + error.what());
     return kInternalError;
   }
-  return status;
+  return flush_output() || status != kDone ? status : kInternalError;
 }

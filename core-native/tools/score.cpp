@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <string>
 
 namespace echoway::tools {
 namespace {
@@ -27,6 +28,10 @@ Placed interpolate(const TruthRow& before, const Placed& from, const TruthRow& a
   return {share < 0.5 ? from.room : to.room,
           {from.pose.position + share * (to.pose.position - from.pose.position),
            wrap_angle(from.pose.heading + share * turn)}};
+}
+
+Error unknown_room(const std::string& log, const std::string& room) {
+  return {log + " names room '" + room + "', which the building does not have"};
 }
 
 double median(std::vector<double> values) {
@@ -55,7 +60,9 @@ Result<Score> score_track(const std::vector<TrackRow>& track, const std::vector<
     const std::optional<Placed> from = place(before, building);
     const std::optional<Placed> to = place(after, building);
     const std::optional<Placed> estimate = place(row.where, building);
-    if (!from || !to || !estimate) return Error{"a log names a room that the building does not have"};
+    if (!estimate) return unknown_room("the track", row.where.room);
+    if (!from) return unknown_room("the truth", before.room);
+    if (!to) return unknown_room("the truth", after.room);
     const Placed real = interpolate(before, *from, after, *to, time);
     const double error = distance(real.pose.position, estimate->pose.position);
     errors.push_back(error);

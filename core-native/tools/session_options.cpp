@@ -2,23 +2,28 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <vector>
 
 #include "echoway/text/number.hpp"
+#include "option_checks.hpp"
 
 namespace echoway::tools {
 namespace {
 
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
 std::vector<std::string> split_at_commas(const std::string& text) {
-  std::vector<std::string> fields(1);
-  for (const char c : text) {
-    if (c == ',') {
-      fields.emplace_back();
-    } else {
-      fields.back() += c;
-    }
+  std::vector<std::string> fields;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    fields.push_back(trimmed(text.substr(begin, end - begin)));
+    begin = end + 1;
   }
   return fields;
 }
@@ -30,17 +35,19 @@ Error bad_start(const std::string& text, const std::string& why) {
 }  // namespace
 
 void SessionOptions::add_to(CLI::App& command) {
-  command.add_option("--building", building, "Building folder")->required();
-  command.add_option("--start", start, "R,x_m,y_m,heading_deg in R's frame; blank fields are unknown; without it, search");
+  command.add_option("--building", building, "Building folder")->required()->check(not_empty());
+  command.add_option("--start", start, "R,x_m,y_m,heading_deg in R's frame; blank fields are unknown; without it, search")
+      ->check(not_empty());
   command.add_option("--method", method, "bayes: the tracker; thesis: the thesis's method")
       ->check(CLI::IsMember({"bayes", "thesis"}))
       ->capture_default_str();
-  command.add_option("--sensors", sensors, "Number of sensors on the belt")->check(CLI::Range(1, kMaxSensors));
-  command.add_option("--radius", radius_m, "From the wearer's axis to the transducers, metres")->check(CLI::Range(0.0, 2.0));
+  command.add_option("--sensors", sensors, "Number of sensors on the belt")->check(whole(1, kMaxSensors));
+  command.add_option("--radius", radius_m, "From the wearer's axis to the transducers, metres")->check(decimal(0.0, 2.0));
   command.add_option("--beam", beam_deg, "Full angle within which a plane wall answers, degrees")
-      ->check(CLI::Range(0.1, 180.0));
+      ->check(decimal(0.1, 180.0));
   command.add_flag("--avoid-stairs", avoid_stairs, "Take stairs only where nothing else leads there");
-  command.add_option("--to", destination, "Guide the wearer to a place, an exit or a room; \"exit\" is the nearest one");
+  command.add_option("--to", destination, "Guide the wearer to a place, an exit or a room; \"exit\" is the nearest one")
+      ->check(not_empty());
   command.add_option("--language", language, "Of the cues")->check(CLI::IsMember({"en", "de", "fr"}))->capture_default_str();
   command.add_option("--directions", directions, "How cues give directions")
       ->check(CLI::IsMember({"sides", "clock", "degrees"}))
@@ -48,7 +55,7 @@ void SessionOptions::add_to(CLI::App& command) {
   command.add_option("--lengths", lengths, "How cues give lengths")
       ->check(CLI::IsMember({"feet", "metres", "steps"}))
       ->capture_default_str();
-  command.add_option("--seed", seed, "Seed of the locator's random numbers")->capture_default_str();
+  command.add_option("--seed", seed, "Seed of the locator's random numbers")->check(whole(0))->capture_default_str();
 }
 
 BeltConfig SessionOptions::belt(const BeltHeader& header) const {
@@ -100,11 +107,6 @@ Result<Start> parse_start(const std::string& text, const Building& building) {
   if (numbers[0]) start.position = Vec2{*numbers[0], *numbers[1]};
   if (numbers[2]) start.heading = degrees(*numbers[2]);
   return start;
-}
-
-int bad_input(const Error& error) {
-  fmt::print(stderr, "{}\n", error.to_string());
-  return 2;
 }
 
 }  // namespace echoway::tools

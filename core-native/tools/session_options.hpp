@@ -38,7 +38,4 @@ struct SessionOptions {
 /// `R[,x_m,y_m[,heading_deg]]`; a field left blank is unknown (`R,,,90`: the room and the heading).
 Result<Start> parse_start(const std::string& text, const Building& building);
 
-/// Prints `error` on standard error and gives the exit status for bad input.
-int bad_input(const Error& error);
-
 }  // namespace echoway::tools

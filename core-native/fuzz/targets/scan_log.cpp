@@ -18,7 +18,7 @@ std::string check_belt(const BeltHeader& header) {
 
 std::string check(const ScanLog& log) {
   double last = -INFINITY;
-  const int sensors = log.belt.sensors.value_or(kMaxSensors);
+  const int sensors = log.belt.apply_to({}).sensors;
   for (const Firing& f : log.firings) {
     if (!std::isfinite(f.time_s) || !std::isfinite(f.range_m)) return "a firing is not finite";
     if (f.time_s < last) return "firings out of order";

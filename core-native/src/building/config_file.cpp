@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "building/line_parser.hpp"
-#include "text/line_reader.hpp"
+#include "echoway/text/line_reader.hpp"
 #include "text/utf8.hpp"
 
 namespace echoway {

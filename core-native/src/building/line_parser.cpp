@@ -98,7 +98,7 @@ void LineParser::keyword(std::string_view expected) {
 }
 
 void LineParser::end() {
-  if (!problem_ && !at_end()) refuse("nothing may follow before " + shown(tokens_[next_].text));
+  if (!problem_ && !at_end()) refuse(shown(tokens_[next_].text) + " is one word too many");
 }
 
 }  // namespace echoway

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "building/line_parser.hpp"
-#include "text/line_reader.hpp"
+#include "echoway/text/line_reader.hpp"
 
 namespace echoway {
 namespace {
@@ -99,7 +99,7 @@ RoomSource read_room_file(const std::filesystem::path& file, std::string id, Len
     room.readable = false;
   } else if (!counts) {
     room.readable = false;
-    findings.unusable(Kind::wrong_count, room.file, 0,
+    findings.unusable(Kind::wrong_count, room.file, 1,
                       "is empty; the first line must be 'walls corners edges [reflectors]'");
   } else if (room.readable) {
     compare_counts(*counts, room, findings);

@@ -37,6 +37,10 @@ bool starts_with_columns(std::span<const std::string_view> header, std::span<con
 
 }  // namespace
 
+bool is_cut_number(std::string_view field) {
+  return !text::parse_number(field) && text::parse_number(std::string(field) + '0');
+}
+
 Result<double> Row::number(std::size_t column, double limit) const {
   const std::string_view field = fields_[column];
   const std::string name(columns_[column]);
@@ -73,7 +77,7 @@ Status read(const std::filesystem::path& file, std::span<const std::string_view>
       continue;
     }
     if (count != width) {
-      if (!reader.line_ended()) break;  // A log that was cut short: every whole row of it counts.
+      if (count < width && !reader.line_ended()) break;  // A log that was cut short: every whole row of it counts.
       return reader.error_here("has " + std::to_string(count) + " fields where the header has " +
                                std::to_string(width));
     }
@@ -81,12 +85,13 @@ Status read(const std::filesystem::path& file, std::span<const std::string_view>
       return reader.error_here("has more than " + std::to_string(kMaxRows) + " rows; split the log");
     }
     if (const auto problem = handlers.row(Row({fields.data(), count}, columns))) {
-      if (!reader.line_ended()) break;
+      // Every field of it is there: only the last can have lost something.
+      if (!reader.line_ended() && count == columns.size() && handlers.is_cut(fields[count - 1])) break;
       return reader.error_here(*problem);
     }
   }
   if (reader.error()) return *reader.error();
-  if (width == 0) return Error{"has no header line; it must be '" + join(columns) + "'", file.string()};
+  if (width == 0) return Error{"has no header line; it must be '" + join(columns) + "'", file.string(), reader.line() + 1};
   return success();
 }
 

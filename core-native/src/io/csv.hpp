@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "echoway/result.hpp"
-#include "text/line_reader.hpp"
+#include "echoway/text/line_reader.hpp"
 
 namespace echoway::csv {
 
@@ -33,6 +33,9 @@ class Row {
   std::span<const std::string_view> columns_;
 };
 
+/// Whether `field` is no number but begins one: "", "-", "1e".
+[[nodiscard]] bool is_cut_number(std::string_view field);
+
 struct Handlers {
   /// Each comment line before the header, without `#`; returns what is wrong with it.
   std::function<std::optional<std::string>(std::string_view)> comment = nullptr;
@@ -40,11 +43,13 @@ struct Handlers {
   std::function<std::optional<std::string>(std::string_view)> later_comment = nullptr;
   /// Each row; returns what is wrong with it, and keeps nothing of it then.
   std::function<std::optional<std::string>(const Row&)> row;
+  /// Whether a field of the last of `columns` is what a cut leaves of one.
+  std::function<bool(std::string_view)> is_cut = is_cut_number;
 };
 
 /// Reads a log: `#` comments, a header line whose first columns are `columns` (further ones may follow), rows. Fails at
-/// the first line that is malformed or that a handler refuses, unless it is the last and lacks its end: a log that was cut
-/// short is read up to there.
+/// the first line that is malformed or that a handler refuses, unless it is the last, lacks its end and may be the
+/// beginning of a good one: a log that was cut short is read up to there.
 Status read(const std::filesystem::path& file, std::span<const std::string_view> columns, const Handlers& handlers);
 
 /// Growth by doubling would pass a log's memory limit on its last step; this keeps the largest buffer at kMaxRows.

@@ -1,5 +1,7 @@
 #include "io/log_columns.hpp"
 
+#include <algorithm>
+
 #include "echoway/io/logs.hpp"
 
 namespace echoway {
@@ -39,6 +41,13 @@ const char* to_string(TrackState state) noexcept {
       break;
   }
   return "searching";
+}
+
+bool is_cut_track_state(std::string_view word) noexcept {
+  return std::any_of(kTrackStates.begin(), kTrackStates.end(), [&](TrackState state) {
+    const std::string_view whole = to_string(state);
+    return word != whole && whole.starts_with(word);
+  });
 }
 
 std::optional<TrackState> track_state_from(std::string_view word) noexcept {

@@ -18,5 +18,7 @@ inline constexpr std::array<std::string_view, 8> kTrackColumns{
 [[nodiscard]] std::string_view to_word(MotionKind kind) noexcept;
 [[nodiscard]] std::optional<MotionKind> motion_kind_from(std::string_view word) noexcept;
 [[nodiscard]] std::optional<TrackState> track_state_from(std::string_view word) noexcept;
+/// Whether `word` is no state but begins one.
+[[nodiscard]] bool is_cut_track_state(std::string_view word) noexcept;
 
 }  // namespace echoway

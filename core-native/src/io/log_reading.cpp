@@ -112,10 +112,9 @@ Problem read_restart(std::string_view comment, std::vector<LoggedRestart>& resta
   return std::nullopt;
 }
 
-Problem read_firing(const csv::Row& row, const BeltHeader& belt, Clock& clock, Firing& firing) {
+Problem read_firing(const csv::Row& row, int sensors, Clock& clock, Firing& firing) {
   if (auto problem = clock.read(row, firing.time_s)) return problem;
   const auto sensor = text::parse_integer(row.text(1));
-  const int sensors = belt.sensors.value_or(kMaxSensors);
   if (!sensor || *sensor < 0 || *sensor >= sensors) {
     return "sensor is '" + std::string(row.text(1)) + "', not a number from 0 to " + std::to_string(sensors - 1);
   }
@@ -167,10 +166,9 @@ Problem read_track(const csv::Row& row, Clock& clock, TrackRow& out) {
 
 template <class T, class ReadRow>
 Result<std::vector<T>> read_rows(const std::filesystem::path& file, std::span<const std::string_view> columns,
-                                 ReadRow read_row) {
+                                 ReadRow read_row, csv::Handlers handlers = {}) {
   std::vector<T> rows;
   Clock clock;
-  csv::Handlers handlers;
   handlers.row = [&](const csv::Row& row) {
     csv::reserve_next(rows);
     Problem problem = read_row(row, clock, rows.emplace_back());
@@ -203,7 +201,7 @@ Result<Start> LoggedRestart::start_in(const Building& building) const {
   return start;
 }
 
-Result<ScanLog> read_scan_log(const std::filesystem::path& file) {
+Result<ScanLog> read_scan_log(const std::filesystem::path& file, std::optional<int> sensors) {
   ScanLog log;
   Clock clock;
   csv::Handlers handlers;
@@ -214,7 +212,8 @@ Result<ScanLog> read_scan_log(const std::filesystem::path& file) {
   handlers.later_comment = [&](std::string_view comment) { return read_restart(comment, log.restarts); };
   handlers.row = [&](const csv::Row& row) {
     csv::reserve_next(log.firings);
-    Problem problem = read_firing(row, log.belt, clock, log.firings.emplace_back());
+    const int count = sensors.value_or(log.belt.apply_to({}).sensors);
+    Problem problem = read_firing(row, count, clock, log.firings.emplace_back());
     if (problem) log.firings.pop_back();
     return problem;
   };
@@ -233,7 +232,9 @@ Result<std::vector<TruthRow>> read_truth_log(const std::filesystem::path& file) 
 }
 
 Result<std::vector<TrackRow>> read_track_log(const std::filesystem::path& file) {
-  return read_rows<TrackRow>(file, kTrackColumns, read_track);
+  csv::Handlers handlers;
+  handlers.is_cut = is_cut_track_state;
+  return read_rows<TrackRow>(file, kTrackColumns, read_track, std::move(handlers));
 }
 
 }  // namespace echoway

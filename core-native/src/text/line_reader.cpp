@@ -1,4 +1,4 @@
-#include "text/line_reader.hpp"
+#include "echoway/text/line_reader.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -108,7 +108,7 @@ TEST_F(CheckBuilding, MalformedLinesOfARoom) {
   config("");
   EXPECT_THAT(
       findings(),
-      ElementsAre(HasSubstr("room-A.room:2: y2 is missing"), HasSubstr("room-A.room:3: nothing may follow before '10'"),
+      ElementsAre(HasSubstr("room-A.room:2: y2 is missing"), HasSubstr("room-A.room:3: '10' is one word too many"),
                   HasSubstr("room-A.room:4: '7' is no kind of element"),
                   HasSubstr("room-A.room:5: y1 is 'ten', not a finite number"), HasSubstr("room-A.room:6: y1 is 'nan'"),
                   HasSubstr("room-A.room:7: y1 is '1e999'"), HasSubstr("room-A.room:8: x1 is '0x10'"),
@@ -127,10 +127,10 @@ TEST_F(CheckBuilding, AFirstLineThatIsNoCounts) {
   room("C", "-4 0 0\n");
   room("D", "# nothing here\n\n");
   config("");
-  EXPECT_THAT(findings(), testing::IsSupersetOf({HasSubstr("UNUSABLE room-A.room:1: nothing may follow before"),
+  EXPECT_THAT(findings(), testing::IsSupersetOf({HasSubstr("UNUSABLE room-A.room:1: '"),
                                                  HasSubstr("UNUSABLE room-B.room:1: the number of walls is 'four'"),
                                                  HasSubstr("UNUSABLE room-C.room:1: the number of walls is negative"),
-                                                 HasSubstr("UNUSABLE room-D.room: is empty")}));
+                                                 HasSubstr("UNUSABLE room-D.room:1: is empty")}));
 }
 
 TEST_F(CheckBuilding, WallsThatDoNotClose) {
@@ -164,7 +164,7 @@ TEST_F(CheckBuilding, MalformedLinesOfTheConfiguration) {
                   HasSubstr("building.cfg:5: the level is 'two'"),
                   HasSubstr("building.cfg:6: the name must stand in quotes"), HasSubstr("building.cfg:7: y is 'x'"),
                   HasSubstr("building.cfg:8: the rotation"), HasSubstr("building.cfg:9: a quote is not closed"),
-                  HasSubstr("building.cfg:10: nothing may follow before 'y'"),
+                  HasSubstr("building.cfg:10: 'y' is one word too many"),
                   HasSubstr("building.cfg:11: expected 'level'")));
 }
 

@@ -95,27 +95,51 @@ TEST_F(Locate, BadInputIsNamedAndNothingIsWritten) {
   EXPECT_FALSE(std::filesystem::exists(track_));
 }
 
+TEST_F(Locate, RefusesAFiringOfASensorThatTheBeltDoesNotHave) {
+  const std::string log = folder_.write("log.csv", "time_s,sensor,range_m\n0.0,0,1.5\n0.1,15,1.5\n").string();
+  const std::vector<std::string> arguments{"locate", "--building", kLab, "--scans", log, "--track", track_};
+  const ProcessResult usual = run_echoway(arguments);
+  EXPECT_EQ(usual.status, 2);
+  EXPECT_NE(usual.err.find(log + ":3: sensor is '15'"), std::string::npos) << usual.err;
+  std::vector<std::string> more = arguments;
+  more.insert(more.end(), {"--sensors", "16"});
+  EXPECT_EQ(run_echoway(more).status, 0);
+  EXPECT_EQ(read_track_log(track_)->size(), 2U);
+}
+
+TEST_F(Locate, NoOutputTakesThePlaceOfAnotherFile) {
+  const std::string scans = prefix_ + ".scans.csv";
+  const std::string before = test::read_file(scans);
+  for (const std::vector<std::string>& outputs :
+       {std::vector<std::string>{"--track", scans}, {"--track", (folder_.path() / "." / "walk.scans.csv").string()},
+        {"--track", track_, "--cues", track_}, {"--track", track_, "--cues", scans}}) {
+    std::vector<std::string> arguments{"locate", "--building", kLab, "--scans", scans};
+    arguments.insert(arguments.end(), outputs.begin(), outputs.end());
+    const ProcessResult result = run_echoway(arguments);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("name the same file"), std::string::npos) << result.err;
+  }
+  EXPECT_EQ(test::read_file(scans), before);
+  EXPECT_FALSE(std::filesystem::exists(track_));
+  EXPECT_EQ(run_echoway({"locate", "--building", kLab, "--scans", scans, "--track", "/dev/null", "--cues", "/dev/null"}).status, 0);
+}
+
+TEST_F(Locate, BlanksAroundTheFieldsOfAStartMeanNothing) {
+  std::string spaced = start_;
+  for (std::size_t comma = spaced.find(','); comma != std::string::npos; comma = spaced.find(',', comma + 2)) {
+    spaced.insert(comma + 1, " ");
+  }
+  ASSERT_EQ(locate({"--start", start_}).status, 0);
+  const std::string track = test::read_file(track_);
+  ASSERT_EQ(locate({"--start", spaced}).status, 0);
+  EXPECT_EQ(test::read_file(track_), track);
+}
+
 TEST_F(Locate, RefusesAStartThatCannotBe) {
   for (const std::string start : {"nowhere,0,0,0", "4,1,x,0", "4,1,2,3,4", "4,1,,0", "4,nan,1,0"}) {
     const ProcessResult result = locate({"--start", start});
     EXPECT_EQ(result.status, 2) << start;
     EXPECT_NE(result.err.find("--start " + start), std::string::npos) << result.err;
-  }
-}
-
-TEST(CommandLine, BadUsageExitsWithTwo) {
-  EXPECT_EQ(run_echoway({}).status, 2);
-  EXPECT_EQ(run_echoway({"fly"}).status, 2);
-  EXPECT_EQ(run_echoway({"locate"}).status, 2);
-  EXPECT_EQ(run_echoway({"locate", "--building", kLab, "--scans", "x", "--track", "y", "--sensors", "0"}).status, 2);
-  EXPECT_EQ(run_echoway({"locate", "--building", "/no/such", "--scans", "x", "--track", "y"}).status, 2);
-}
-
-TEST(CommandLine, EveryCommandHasHelp) {
-  for (const char* command : {"bench", "check", "describe", "locate", "monitor", "play", "score", "simulate"}) {
-    const ProcessResult result = run_echoway({command, "--help"});
-    EXPECT_EQ(result.status, 0) << command;
-    EXPECT_NE(result.out.find("Usage"), std::string::npos) << command;
   }
 }
 

@@ -67,7 +67,7 @@ TEST_F(Logs, ScansMayBeEmptyButForTheHeader) {
 
 TEST_F(Logs, ScansSayWhichRowIsWrong) {
   const std::string header = "time_s,sensor,range_m\n";
-  EXPECT_THAT(scan_error(""), HasSubstr("f.csv: has no header line"));
+  EXPECT_THAT(scan_error(""), HasSubstr("f.csv:1: has no header line"));
   EXPECT_THAT(scan_error("0,0,1\n"), HasSubstr("f.csv:1: the header line must be 'time_s,sensor,range_m'"));
   EXPECT_THAT(scan_error("time_s,sensor\n"), HasSubstr("f.csv:1: the header line must be"));
   EXPECT_THAT(scan_error(header + "0,0\n"), HasSubstr("f.csv:2: has 2 fields where the header has 3"));
@@ -80,8 +80,9 @@ TEST_F(Logs, ScansSayWhichRowIsWrong) {
   EXPECT_THAT(scan_error(header + "0,0,-1\n"), HasSubstr("range_m is negative"));
   EXPECT_THAT(scan_error(header + "0,0,1e308\n"), HasSubstr("beyond any sensible value"));
   EXPECT_THAT(scan_error(header + "0,1.5,1\n"), HasSubstr("sensor is '1.5'"));
-  EXPECT_THAT(scan_error(header + "0,-1,1\n"), HasSubstr("sensor is '-1', not a number from 0 to 63"));
-  EXPECT_THAT(scan_error("# sensors 15\n" + header + "0,15,1\n"), HasSubstr("not a number from 0 to 14"));
+  EXPECT_THAT(scan_error(header + "0,-1,1\n"), HasSubstr("sensor is '-1', not a number from 0 to 14"));
+  EXPECT_THAT(scan_error(header + "0,15,1\n"), HasSubstr("not a number from 0 to 14"));
+  EXPECT_THAT(scan_error("# sensors 24\n" + header + "0,24,1\n"), HasSubstr("not a number from 0 to 23"));
   EXPECT_THAT(scan_error(header + "1,0,1\n0.9,1,1\n"), HasSubstr("f.csv:3: time_s goes back"));
 }
 
@@ -117,6 +118,27 @@ TEST_F(Logs, AScanLogCutAtAnyByteIsReadOrRefusedButNeverInvents) {
       EXPECT_NEAR(part->firings[i].range_m, log.firings[i].range_m, 1e-9) << "only the last row can be cut";
     }
   }
+}
+
+TEST_F(Logs, ALastRowWithoutItsEndIsAnErrorWhereNoCutExplainsIt) {
+  const std::string begun = "time_s,sensor,range_m\n0,0,1\n";
+  for (const char* cut : {"0.1", "0.1,on", "0.1,1,-", "0.1,1,1e", "0.1,1,."}) {
+    const Result<ScanLog> log = scans(begun + cut);
+    ASSERT_TRUE(log.ok()) << cut << ": " << log.error().to_string();
+    EXPECT_EQ(log->firings.size(), 1U) << cut;
+  }
+  for (const char* wrong : {"0.1,1,nan", "0.1,1,inf", "0.1,one,1.5", "0.1,99,1.5", "-1,1,1.5", "0.1,1,-1.5", "0.1,1,1,1"}) {
+    EXPECT_THAT(scan_error(begun + wrong), HasSubstr("f.csv:3: ")) << wrong;
+  }
+  const std::string track = "time_s,room,x_m,y_m,heading_deg,sigma_m,room_probability,state\n0,a,1,2,3,0.1,1,";
+  EXPECT_EQ(track_error(track + "track"), "(read)");
+  EXPECT_THAT(track_error(track + "walking"), HasSubstr("state is 'walking'"));
+}
+
+TEST_F(Logs, ScansAreHeldToTheBeltThatTheCallerKnows) {
+  const auto file = dir_.write("f.csv", "# sensors 15\ntime_s,sensor,range_m\n0,12,1\n");
+  EXPECT_THAT(error_of(read_scan_log(file, 8)), HasSubstr("f.csv:3: sensor is '12', not a number from 0 to 7"));
+  EXPECT_TRUE(read_scan_log(file, 24).ok());
 }
 
 TEST_F(Logs, ALogOfAMillionRowsIsReadAndAnEndlessOneRefused) {

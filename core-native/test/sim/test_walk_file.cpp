@@ -141,6 +141,13 @@ TEST(WalkFile, AFileThatIsNotThereIsAnErrorWithItsName) {
   EXPECT_THAT(walk.error().to_string(), testing::StartsWith("no/such.walk: "));
 }
 
+TEST(WalkFile, AFileMayComeFromAnySystemButMustBeText) {
+  const test::TempDir folder;
+  const auto read = [&](const std::string& text) { return read_walk(folder.write("w.walk", text)); };
+  EXPECT_TRUE(read("\xEF\xBB\xBFunits ft\r\nstart 1 6 5 90\r\npause 1").ok());
+  EXPECT_THAT(read(std::string("start 1 6 5 9\0\n", 15)).error().to_string(), testing::HasSubstr("w.walk:1: holds control"));
+}
+
 TEST(WalkFile, EveryWalkThatComesWithAMapCanBeWalked) {
   int walks = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(ECHOWAY_MAPS_DIR)) {

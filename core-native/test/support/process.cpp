@@ -53,10 +53,10 @@ std::filesystem::path TemporaryFolder::write(std::string_view name, std::string_
   return file;
 }
 
-ProcessResult run_echoway(const std::vector<std::string>& arguments) {
+ProcessResult run_echoway(const std::vector<std::string>& arguments, const Redirection& redirection) {
   const TemporaryFolder folder;
-  const std::filesystem::path out_file = folder.path() / "out";
-  const std::filesystem::path err_file = folder.path() / "err";
+  const std::filesystem::path out_file = redirection.out.empty() ? folder.path() / "out" : redirection.out;
+  const std::filesystem::path err_file = redirection.err.empty() ? folder.path() / "err" : redirection.err;
   const int out = open(out_file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
   const int err = open(err_file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
   const int process = spawn(arguments, out, err);
@@ -64,7 +64,10 @@ ProcessResult run_echoway(const std::vector<std::string>& arguments) {
   waitpid(process, &status, 0);
   close(out);
   close(err);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(out_file), read_file(err_file)};
+  const auto caught = [](const std::filesystem::path& elsewhere, const std::filesystem::path& file) {
+    return elsewhere.empty() ? read_file(file) : std::string();
+  };
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, caught(redirection.out, out_file), caught(redirection.err, err_file)};
 }
 
 BackgroundEchoway::BackgroundEchoway(const std::vector<std::string>& arguments) {

@@ -13,8 +13,14 @@ struct ProcessResult {
   std::string err;
 };
 
+/// Files that take a process's output instead; blank: it is caught.
+struct Redirection {
+  std::filesystem::path out = {};
+  std::filesystem::path err = {};
+};
+
 /// Runs the command line tool with `arguments` and waits for it.
-ProcessResult run_echoway(const std::vector<std::string>& arguments);
+ProcessResult run_echoway(const std::vector<std::string>& arguments, const Redirection& redirection = {});
 
 /// The command line tool running in the background; killed, if need be, when it goes out of scope.
 class BackgroundEchoway {

@@ -6,7 +6,7 @@
 
 #include "support/process.hpp"
 #include "text/format.hpp"
-#include "text/line_reader.hpp"
+#include "echoway/text/line_reader.hpp"
 #include "echoway/text/number.hpp"
 #include "text/tokens.hpp"
 #include "text/utf8.hpp"

@@ -181,7 +181,8 @@ void add_not_numbers(std::vector<Case>& table) {
                        }));
                      }});
   };
-  add_log("scan log", "time_s,sensor,range_m", {"", {"1.5", "3", "2.25"}, {0, 1, 2}}, read_scan_log);
+  add_log("scan log", "time_s,sensor,range_m", {"", {"1.5", "3", "2.25"}, {0, 1, 2}},
+          [](const std::filesystem::path& file) { return read_scan_log(file); });
   add_log("motion log", "time_s,kind,value", {"", {"1.5", "yaw_rate_dps", "2.25"}, {0, 2}}, read_motion_log);
   add_log("truth log", "time_s,room,x_m,y_m,heading_deg", {"", {"1.5", "a", "1", "2", "90"}, {0, 2, 3, 4}}, read_truth_log);
   add_log("track", "time_s,room,x_m,y_m,heading_deg,sigma_m,room_probability,state",

@@ -58,7 +58,9 @@ struct TrackRow {
 };
 
 // Readers fail with file:line of the first row that is malformed, not finite or out of order.
-Result<ScanLog> read_scan_log(const std::filesystem::path& file);
+
+/// Rows are held to a belt of `sensors`; where that is not given, of as many as the log says, else of the usual belt's.
+Result<ScanLog> read_scan_log(const std::filesystem::path& file, std::optional<int> sensors = std::nullopt);
 Result<std::vector<MotionHint>> read_motion_log(const std::filesystem::path& file);
 Result<std::vector<TruthRow>> read_truth_log(const std::filesystem::path& file);
 Result<std::vector<TrackRow>> read_track_log(const std::filesystem::path& file);

@@ -1,8 +1,9 @@
 #include "echoway/sim/walk_file.hpp"
 
-#include <fstream>
-#include <iterator>
+#include <optional>
+#include <utility>
 
+#include "echoway/text/line_reader.hpp"
 #include "script/words.hpp"
 
 namespace echoway::sim {
@@ -248,10 +249,15 @@ Result<Walk> parse_walk(std::string_view text, const std::string& file) {
 }
 
 Result<Walk> read_walk(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file)) return Error{"cannot be read; is the path right?", file.string(), 0};
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return parse_walk(text, file.string());
+  Result<text::LineReader> opened = text::LineReader::open(file);
+  if (!opened) return opened.error();
+  text::LineReader reader = std::move(opened).value();
+  Parser parser(file.string());
+  while (const std::optional<std::string_view> line = reader.next()) {
+    if (Status status = parser.line(*line, reader.line()); !status) return status.error();
+  }
+  if (reader.error()) return *reader.error();
+  return parser.finish();
 }
 
 }  // namespace echoway::sim

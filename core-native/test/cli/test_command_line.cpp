@@ -1,0 +1,89 @@
+// What holds of every command: help, usage, options, where words go.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "support/process.hpp"
+
+namespace echoway {
+namespace {
+
+using test::ProcessResult;
+using test::run_echoway;
+using test::TemporaryFolder;
+using Arguments = std::vector<std::string>;
+
+const std::string kLab = std::string(ECHOWAY_MAPS_DIR) + "/torgersen-lab";
+const std::string kWalk = kLab + "/walks/thesis.walk";
+
+/// The command ends with 2 and says `why`.
+void expect_refused(const Arguments& arguments, const std::string& why) {
+  const ProcessResult result = run_echoway(arguments);
+  EXPECT_EQ(result.status, 2) << testing::PrintToString(arguments);
+  EXPECT_NE(result.err.find(why), std::string::npos) << testing::PrintToString(arguments) << ": " << result.err;
+}
+
+TEST(CommandLine, EveryCommandHasHelp) {
+  for (const char* command : {"bench", "check", "describe", "import", "locate", "monitor", "play", "score", "simulate"}) {
+    const ProcessResult result = run_echoway({command, "--help"});
+    EXPECT_EQ(result.status, 0) << command;
+    EXPECT_NE(result.out.find("Usage"), std::string::npos) << command;
+  }
+}
+
+TEST(CommandLine, BadUsageSaysWhatIsWrong) {
+  expect_refused({}, "--help");
+  expect_refused({"fly"}, "fly");
+  expect_refused({"--fly"}, "--fly");
+  expect_refused({"locate"}, "--building");
+  expect_refused({"check", kLab, "more"}, "more");
+  expect_refused({"locate", "--building", kLab, "--scans", "x", "--track", "y", "--track", "z"}, "--track");
+  expect_refused({"locate", "--building", "/no/such", "--scans", "x", "--track", "y"}, "/no/such: ");
+}
+
+TEST(CommandLine, OptionsHoldDecimalNumbersInTheirRange) {
+  for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{
+           {"--sensors", "0"},   {"--sensors", "65"},  {"--sensors", "15.5"}, {"--sensors", "0x0f"}, {"--radius", "nan"},
+           {"--radius", "-0.1"}, {"--radius", "0x1p-3"}, {"--beam", "inf"},   {"--beam", "wide"},    {"--seed", "-1"},
+           {"--seed", "1.5"},    {"--seed", "99999999999999999999"},          {"--seed", ""},        {"--track", ""},
+           {"--scans", ""},      {"--motion", ""},     {"--start", ""},       {"--to", ""}}) {
+    Arguments arguments{"locate", option, value};
+    for (const char* needed : {"--building", "--scans", "--track"}) {
+      if (option != needed) arguments.insert(arguments.end(), {needed, "x"});
+    }
+    expect_refused(arguments, option + ": ");
+  }
+  for (const char* seconds : {"nan", "0", "1e9"}) {
+    expect_refused({"simulate", "--building", kLab, "--out", "x", "--random", seconds}, "--random: ");
+  }
+  expect_refused({"simulate", "--building", kLab, "--out", "x", "--at", "y", "--bearings", "0,nan"}, "--bearings: ");
+  expect_refused({"simulate", "--building", kLab, "--out", "x", "--random", "5", "--profile", "full"}, "--profile: ");
+  expect_refused({"play", "--scans", "x", "--speed", "nan"}, "--speed: ");
+}
+
+TEST(CommandLine, AWalkAndARandomWalkExcludeEachOther) {
+  expect_refused({"simulate", "--building", kLab, "--walk", kWalk, "--random", "5", "--out", "x"}, "excludes");
+}
+
+TEST(CommandLine, SimulateLeavesNoPieceOfAFileThatItCannotWrite) {
+  const TemporaryFolder folder;
+  const std::filesystem::path prefix = folder.path() / "walk";
+  std::filesystem::create_directory(prefix.string() + ".walk");
+  expect_refused({"simulate", "--building", kLab, "--random", "5", "--out", prefix.string()}, prefix.string() + ".walk: ");
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    EXPECT_TRUE(entry.path().extension() == ".csv" || entry.is_directory()) << entry.path();
+  }
+}
+
+TEST(CommandLine, WhatCannotBePrintedIsAnErrorAndNoCrash) {
+  const Arguments describe{"describe", kLab};
+  EXPECT_EQ(run_echoway(describe, {.out = "/dev/full"}).status, 1);
+  EXPECT_NE(run_echoway(describe, {.out = "/dev/full"}).err.find("No space left"), std::string::npos);
+  EXPECT_EQ(run_echoway({"--help"}, {.out = "/dev/full"}).status, 1);
+  EXPECT_EQ(run_echoway({"check", "/no/such"}, {.err = "/dev/full"}).status, 2);
+}
+
+}  // namespace
+}  // namespace echoway
