@@ -24,7 +24,7 @@ TEST(Announcer, AnotherDoorInTheSameWordsIsSaidTwiceOnlyWhenAsked) {
   EXPECT_FALSE(voice.offer(door_to_the_right(1, feet(6.0)), 5.0)) << "nobody can tell the two doors apart by these words";
   EXPECT_TRUE(voice.offer(door_to_the_right(1, feet(4.0)), 6.0)) << "nearer, in other words";
   EXPECT_TRUE(voice.offer(door_to_the_right(1, feet(4.0)), 9.0, true)) << "asked";
-  EXPECT_TRUE(voice.offer(door_to_the_right(2, feet(6.0)), config.repeat_gap_s + 0.1));
+  EXPECT_TRUE(voice.offer(door_to_the_right(2, feet(6.0)), 9.0 + config.repeat_gap_s));
 }
 
 TEST(Announcer, AnotherPlaceHasItsOwnWords) {
