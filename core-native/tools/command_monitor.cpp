@@ -52,6 +52,7 @@ class Monitor {
       line.reset();
       session_.on_belt_detached(now());
       report_.update();
+      report_.print_belt();
       if (!interrupted) line = wait_for_return();
     }
     return 0;

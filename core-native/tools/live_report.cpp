@@ -20,6 +20,13 @@ void LiveReport::update() {
   std::fflush(stdout);
 }
 
+void LiveReport::print_belt() const {
+  const BeltHealth& belt = session_.belt_health();
+  fmt::print("{} sentences; dropped {} with a bad checksum, {} malformed; {} firings lost\n", belt.good_sentences,
+             belt.bad_checksums, belt.malformed, belt.lost_firings);
+  std::fflush(stdout);
+}
+
 void LiveReport::print_cues() {
   const std::size_t fresh = voice_.collect();
   for (const SpokenCue& cue : std::span(voice_.cues()).last(fresh)) fmt::print("{}\n", cue.text);

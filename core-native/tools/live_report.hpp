@@ -10,6 +10,8 @@ class LiveReport {
  public:
   LiveReport(Session& session, const SpeechStyle& style) : session_(session), voice_(session, style) {}
   void update();
+  /// What the belt has sent so far, and what of it was dropped.
+  void print_belt() const;
 
  private:
   void print_cues();
