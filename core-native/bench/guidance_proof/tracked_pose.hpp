@@ -26,6 +26,7 @@ class TrackedPose : public test::PoseSource {
   void observe(double time_s, RoomIndex room, const Pose2& pose, double speed, Guide& guide) override;
   void observe_between(double time_s, const test::Crossing& crossing, Guide& guide) override;
   void on_level_transition(const LevelTransition& transition) override { locator_.on_level_transition(transition); }
+  void on_led(bool led) override { locator_.on_led(led); }
   void on_doubt() override { locator_.on_doubt(); }
 
   /// Distance between estimate and truth, metres, of every observation while the room was right.

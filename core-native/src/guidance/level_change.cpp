@@ -56,7 +56,12 @@ LevelChange::Asked LevelChange::ask(const Estimate& e) noexcept {
   const bool first = !std::exchange(asked_, true);
   if (e.time_s - told_at_.time_s < kRide || (there && first)) return Asked::again;
   forget();
-  return there ? Asked::never : Asked::out;
+  return is_on_level_left(e) ? Asked::never : Asked::out;
+}
+
+bool LevelChange::is_on_level_left(const Estimate& e) const noexcept {
+  const Building& building = router_->building();
+  return building.has_room(e.room) && building.room(e.room).level == building.room(told_at_.room).level;
 }
 
 bool LevelChange::ends(const Estimate& e) noexcept {

@@ -29,8 +29,8 @@ class LevelChange {
   /// The wearer, who is under way, asks what to do.
   enum class Asked : std::uint8_t {
     again,  ///< They may not have heard it.
-    out,    ///< They are out, on the other level or where else they can go no further.
-    never,  ///< There is nothing to take where they are.
+    out,    ///< They are out, on the other level.
+    never,  ///< There is nothing to take where they are, though they are thought to be on the level that they were to leave.
   };
   [[nodiscard]] Asked ask(const Estimate& estimate) noexcept;
   /// Ends it once they have, or have had the time; true then.
@@ -42,6 +42,7 @@ class LevelChange {
   void drop_transition() noexcept { transition_.reset(); }
 
  private:
+  [[nodiscard]] bool is_on_level_left(const Estimate& estimate) const noexcept;
   [[nodiscard]] Cue cue_for(CueKind kind, std::int32_t link, const View& view, Vec2 at) const noexcept;
 
   const Router* router_;

@@ -81,6 +81,7 @@ struct Session::Impl {
     if (renewed) {
       monitor.set_suspicions(locator->suspicions());
       guide.on_estimate(locator->estimate(), locator->hypotheses());
+      locator->on_led(guide.has_destination());
       if (const auto transition = guide.take_level_transition()) locator->on_level_transition(*transition);
       if (guide.take_doubt()) locator->on_doubt();
     }

@@ -18,6 +18,7 @@ constexpr double kStairwellShare = 0.80;          // Or neither: it is not known
 constexpr double kShareBetween = 0.15;            // Of the evidence between places that lie apart: what stands in no plan speaks
                                                   // for one of two alike as long as it is heard. Without a gyroscope every
 constexpr double kShareBetweenBlind = 0.5;        // turn that a particle tries makes a place, and must be over soon.
+constexpr double kShareBetweenLevels = 0.5;       // Who is away shall be found soon after they have arrived.
 constexpr double kUnhurried = 0.6;                // m/s; who walks faster goes farther between two looks of a sensor.
 constexpr double kNarrow = 0.15;                  // Metres: a place known so well takes the fewest particles,
 constexpr double kMostNeeded = 2.5;               // another one so many times as many at most.
@@ -182,7 +183,7 @@ BayesLocator::Core::Verdict BayesLocator::Core::update(Population& population, c
     }
     p.weight *= settle_on_floor(p, scene_);
   }
-  population.temper_modes(gyro_ ? kShareBetween : kShareBetweenBlind);
+  population.temper_modes(!gyro_ ? kShareBetweenBlind : away_ > kPerhapsAway ? kShareBetweenLevels : kShareBetween);
   population.normalize();
   if (!(before > 0.0)) return {};
   return {fast_log(plan) - fast_log(before), mapped / before};
@@ -197,7 +198,8 @@ double BayesLocator::Core::mapped_share_of(const Particle& p, Shot shot) {
 // On stairs the walls of the stairwell still stand beside the wearer, as far as anybody can tell; in an elevator nothing in
 // the plan does.
 double BayesLocator::Core::density_away(Particle& p, const Shot& shot, double anywhere) {
-  if (shot.trust <= 0.0 || !links_.on_stairs(p)) return anywhere;
+  if (shot.trust <= 0.0) return anywhere;
+  if (!links_.on_stairs(p)) return in_cabin(shot);
   Particle beside = p;
   const double density = assimilate(beside, shot, *model_, scene_).density;
   p.strangers = beside.strangers;
@@ -260,7 +262,10 @@ void BayesLocator::Core::conclude(double time_s) {
     log_scale_ = summary_.log_scale;
     log_scale_sigma_ = std::max(summary_.log_scale_sigma, kLeastScaleSigma);
   }
-  if (!links_.none()) see_who_is_away();
+  if (!links_.none()) {
+    see_who_is_away();
+    levels_.observe(main_.particles(), links_, history_.end() == 0 ? 0.0 : history_.back().interval.seconds);
+  }
   estimate_.state = state();
   explained_ = fit_.doubtful() || unconfirmed_ > 0 ? 0 : explained_ + 1;
   if (explained_ > kConfirmed) fruitless_ = 0;

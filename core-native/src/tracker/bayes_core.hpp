@@ -9,6 +9,7 @@
 #include "tracker/echo_repeats.hpp"
 #include "tracker/fit_monitor.hpp"
 #include "tracker/history.hpp"
+#include "tracker/level_belief.hpp"
 #include "tracker/level_links.hpp"
 #include "tracker/likelihood.hpp"
 #include "tracker/modes.hpp"
@@ -32,6 +33,7 @@ class BayesLocator::Core {
   void on_motion(const MotionHint& hint);
   void on_temperature(double celsius);
   void on_level_transition(const LevelTransition& transition) { links_.expect(transition); }
+  void on_led(bool led) noexcept { links_.lead(led); }
   void on_doubt() noexcept { doubt_ = Doubt::due; }
 
   [[nodiscard]] const Estimate& estimate() const noexcept { return estimate_; }
@@ -87,6 +89,7 @@ class BayesLocator::Core {
   void challenge();
   void start_doubting();
   void conclude_doubt();
+  [[nodiscard]] std::optional<LevelTransition> link_to_take() const;
   [[nodiscard]] bool is_doubted(const tracker::Particle& p) const;
   void settle_probation(tracker::Rival::Verdict verdict);
   [[nodiscard]] std::uint64_t search_pause() const;
@@ -104,6 +107,7 @@ class BayesLocator::Core {
   enum class HearingTest { due, running, done } hearing_test_ = HearingTest::due;
   double log_evidence_keen_ = 0.0;
   enum class Doubt { none, due, running } doubt_ = Doubt::none;   ///< Raised by who leads the wearer.
+  std::optional<LevelTransition> doubted_link_;                   ///< The wearer finds none where they were told to take it.
   mutable scene::Scene scene_;
   tracker::MotionParameters motion_;
   Random random_;
@@ -116,6 +120,7 @@ class BayesLocator::Core {
   tracker::HintIntegrator hints_;
   tracker::FitMonitor fit_;
   tracker::LevelLinks links_;
+  tracker::LevelBelief levels_;
   tracker::EchoMemory memory_;
   tracker::EchoRepeats repeats_;
   tracker::Novelty novelty_;

@@ -13,6 +13,7 @@ constexpr std::uint64_t kDoubtWindow = 80;           // Firings that a search ou
 constexpr std::size_t kKept = 1200;                  // Particles of the belief that is doubted.
 constexpr double kLeastHere = 0.2;                   // What a search, which is coarse, may miss of it.
 constexpr double kDoubtedOdds = 0.5;                 // Of the place that is doubted,
+constexpr double kLinkOdds = 0.05;                   // Who finds no stairs to take is not where they begin.
 constexpr double kDoubted = 1.0;                     // which reaches so many metres
 constexpr double kDoubtedTurn = degrees(60.0);       // and so far round.
 
@@ -21,7 +22,9 @@ constexpr double kDoubtedTurn = degrees(60.0);       // and so far round.
 // Who leads the wearer has reason to think them elsewhere, whatever the echoes say: everywhere is looked at again.
 void BayesLocator::Core::start_doubting() {
   const std::uint64_t now = history_.end();
-  if (hearing_test_ != HearingTest::done || away_ > kPerhapsAway || now < kDoubtWindow) return;
+  doubted_link_ = link_to_take();
+  const bool away = away_ > kPerhapsAway && !doubted_link_;
+  if (hearing_test_ != HearingTest::done || away || now < kDoubtWindow) return;
   const std::uint64_t begin = now - kDoubtWindow;
   if (echoes_since(begin) < kFewestEchoes) return;
   rival_.dismiss();
@@ -41,7 +44,7 @@ void BayesLocator::Core::conclude_doubt() {
     here += p.weight;
     p.weight = 0.0;
   }
-  const double kept = kDoubtedOdds * std::max(here, kLeastHere);
+  const double kept = (doubted_link_ ? kLinkOdds : kDoubtedOdds) * std::max(here, kLeastHere);
   main_.resample(std::min(main_.size(), kKept), random_);
   for (Particle& p : main_.particles()) p.weight *= kept;
   for (const Particle& p : found.particles()) {
@@ -54,7 +57,16 @@ void BayesLocator::Core::conclude_doubt() {
   fruitless_ = 0;
 }
 
+// What the wearer was told to take, while they are thought to be on the level that it leaves.
+std::optional<LevelTransition> BayesLocator::Core::link_to_take() const {
+  const LevelTransition* transition = links_.expected(last_time_);
+  if (transition == nullptr || !building_.has_room(transition->from)) return {};
+  const bool there = building_.room(estimate_.room).level == building_.room(transition->from).level;
+  return there ? std::optional(*transition) : std::nullopt;
+}
+
 bool BayesLocator::Core::is_doubted(const Particle& p) const {
+  if (doubted_link_) return links_.begins_near(*doubted_link_, p);
   return p.room == estimate_.room && distance(p.position, estimate_.pose.position) < kDoubted &&
          std::abs(wrap_angle(p.heading - estimate_.pose.heading)) < kDoubtedTurn;
 }

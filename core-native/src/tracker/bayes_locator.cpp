@@ -12,6 +12,7 @@ bool BayesLocator::on_firing(const Firing& firing) { return core_->on_firing(fir
 void BayesLocator::on_motion(const MotionHint& hint) { core_->on_motion(hint); }
 void BayesLocator::on_temperature(double celsius) { core_->on_temperature(celsius); }
 void BayesLocator::on_level_transition(const LevelTransition& transition) { core_->on_level_transition(transition); }
+void BayesLocator::on_led(bool led) { core_->on_led(led); }
 void BayesLocator::on_doubt() { core_->on_doubt(); }
 const Estimate& BayesLocator::estimate() const { return core_->estimate(); }
 std::span<const Hypothesis> BayesLocator::hypotheses() const {

@@ -76,6 +76,7 @@ void BayesLocator::Core::start_recovery() {
   if (!options_.parts.recovery || now < kRecoveryWindow || now < last_search_ + search_pause()) return;
   const std::uint64_t begin = now - (gyro_ ? kRecoveryWindow : kBlindRecoveryWindow);
   SearchDomain domain;
+  domain.levels = &levels_;
   domain.heading_sigma = kHeadingStep;
   if (away_ > kSurelyAway) {
     domain.near_room = landing_.room;

@@ -50,6 +50,7 @@ BayesLocator::Core::Core(const Building& building, const BeltConfig& belt, const
       search_(scene_, Search::Parameters{}),
       health_(belt.sensors),
       links_(building),
+      levels_(building),
       mapped_share_(kUsuallyMapped),
       log_scale_sigma_(motion_.scale_sigma) {
   for (int i = 0; i < belt.sensors; ++i) {
@@ -62,6 +63,7 @@ BayesLocator::Core::Core(const Building& building, const BeltConfig& belt, const
 void BayesLocator::Core::begin() {
   if (start_.room && !building_.has_room(*start_.room)) start_ = {};
   if (start_.heading && !std::isfinite(*start_.heading)) start_.heading.reset();
+  if (start_.room) levels_.begin_in(*start_.room);
   if (start_.heading) start_.heading = wrap_angle(*start_.heading);  // Whoever says it may have counted the turns.
   if (start_.room && start_.position && can_stand(*start_.room, *start_.position)) {
     place_known({*start_.position, start_.heading.value_or(0.0)}, *start_.room, start_.heading.has_value());

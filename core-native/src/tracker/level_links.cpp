@@ -9,8 +9,10 @@ namespace echoway::tracker {
 namespace {
 
 constexpr double kReach = 1.2;               // Metres from a link's end within which somebody may be taking it.
+constexpr double kFinds = 2.0;               // Metres from where who was told to take it finds it.
 constexpr double kUntoldRate = 0.15;         // 1/s, of those who were told nothing: who comes so near often means to take it.
-constexpr double kToldRate = 0.8;            // 1/s.
+constexpr double kLedRate = 0.002;           // 1/s, of those who are led elsewhere.
+constexpr double kToldRate = 1.5;            // 1/s.
 // How long people are on the way: never less, at this rate (1/s) from then on, never longer.
 struct Ride {
   double shortest_s;
@@ -20,6 +22,13 @@ struct Ride {
 constexpr Ride kStairs{8.0, 0.12, 45.0};     // A storey of two flights takes some seventeen seconds.
 constexpr Ride kElevator{8.0, 0.06, 90.0};
 constexpr double kObedience = 0.9;           // Who was told to go up and sets out goes up.
+// Cabins measure 1.1 by 1.4 m most often, 2.0 by 1.4 m at most (EN 81-70). Their steel walls answer straight on, and by way of
+// one another two or three times as far.
+constexpr double kCabinAnswers = 0.65;
+constexpr double kCabinReach = 1.6;          // Metres.
+constexpr double kCabinLate = 0.35;          // Of the echoes come by several walls,
+constexpr double kCabinLateReach = 4.0;      // metres, at most.
+constexpr double kNowhere = 0.002;           // Density of readings out of nowhere, per metre.
 constexpr double kLandingSigma = 0.6;        // Metres: where somebody steps off.
 constexpr double kLandingTurnSigma = degrees(8.0);
 
@@ -28,6 +37,15 @@ bool happens(double rate, double seconds, Random& random) noexcept {
 }
 
 }  // namespace
+
+double in_cabin(const Shot& shot) noexcept {
+  if (!shot.echo) return 1.0 - kCabinAnswers;
+  double density = kNowhere;
+  if (shot.range < kCabinReach) density += kCabinAnswers * (1.0 - kCabinLate) / kCabinReach;
+  if (shot.range < kCabinLateReach) density += kCabinAnswers * kCabinLate / kCabinLateReach;
+  for (const Repeat& r : shot.repeats) density += r.density;
+  return density;
+}
 
 LevelLinks::LevelLinks(const Building& building) {
   for (std::size_t i = 0; i < building.links.size(); ++i) {
@@ -43,12 +61,25 @@ LevelLinks::LevelLinks(const Building& building) {
   for (std::size_t r = 1; r < first_.size(); ++r) first_[r] += first_[r - 1];
 }
 
+const LevelTransition* LevelLinks::expected(double time_s) const noexcept {
+  return told_ && time_s < told_->time_s + told_->patience_s ? &*told_ : nullptr;
+}
+
+bool LevelLinks::begins_near(const LevelTransition& transition, const Particle& p) const noexcept {
+  return std::any_of(ends_.begin(), ends_.end(), [&](const End& end) {
+    return end.link == transition.link && end.room == transition.from && p.room == end.room &&
+           squared_norm(p.position - end.at) < kFinds * kFinds;
+  });
+}
+
 bool LevelLinks::told(const End& end, double time_s) const noexcept {
-  return told_ && told_->link == end.link && told_->from == end.room && time_s < told_->time_s + told_->patience_s;
+  const LevelTransition* t = expected(time_s);
+  return t != nullptr && t->link == end.link && t->from == end.room;
 }
 
 double LevelLinks::setting_out_rate(const End& end, double time_s) const noexcept {
-  return told(end, time_s) ? kToldRate : kUntoldRate;
+  if (told(end, time_s)) return kToldRate;
+  return led_ ? kLedRate : kUntoldRate;
 }
 
 bool LevelLinks::same_place(const End& a, const End& b) const noexcept {
@@ -88,10 +119,12 @@ void LevelLinks::step(Particle& p, double time_s, double seconds, bool turn_know
   const auto room = static_cast<std::size_t>(p.room);
   for (std::uint32_t i = first_[room]; i < first_[room + 1]; ++i) {
     const End& end = ends_[i];
-    if (squared_norm(p.position - end.at) > kReach * kReach || !happens(setting_out_rate(end, time_s), seconds, random)) continue;
+    const double reach = told(end, time_s) ? kFinds : kReach;
+    if (squared_norm(p.position - end.at) > reach * reach || !happens(setting_out_rate(end, time_s), seconds, random)) continue;
     p.gait = Gait::away;
     p.away_s = 0.0;
     p.link_end = static_cast<std::int32_t>(i);
+    if (!end.stairs) p.speed = 0.0;
     return;
   }
 }
@@ -103,7 +136,7 @@ void LevelLinks::arrive(Particle& p, const End& end, bool turn_known, Random& ra
   p.heading = wrap_near(p.heading);
   const SinCos f = fast_sincos(p.heading);
   p.facing = {f.cos, f.sin};
-  p.gait = Gait::walking;
+  p.gait = end.stairs ? Gait::walking : Gait::standing;
   const double scale = p.cov.kk;
   p.cov = {};
   p.cov.xx = p.cov.yy = kLandingSigma * kLandingSigma;

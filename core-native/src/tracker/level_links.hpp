@@ -6,9 +6,13 @@
 #include "echoway/building/building.hpp"
 #include "echoway/locate/locator.hpp"
 #include "echoway/random.hpp"
+#include "tracker/likelihood.hpp"
 #include "tracker/particle.hpp"
 
 namespace echoway::tracker {
+
+/// Density of a shot's reading in an elevator's cabin, whose walls are all near and answer again and again.
+[[nodiscard]] double in_cabin(const Shot& shot) noexcept;
 
 /// Stairs and elevators: a wearer who comes to one may take it, is on the way for a while, on which no echo fits any room,
 /// and then stands at its other end. Empty, and free of cost, in a building of one level.
@@ -20,6 +24,13 @@ class LevelLinks {
 
   /// The wearer was told to take a link.
   void expect(const LevelTransition& transition) noexcept { told_ = transition; }
+
+  /// What the wearer was told to take and may still be taking; null when nothing.
+  [[nodiscard]] const LevelTransition* expected(double time_s) const noexcept;
+  /// Whether a particle stands where that begins, so near that it would be found.
+  [[nodiscard]] bool begins_near(const LevelTransition& transition, const Particle& particle) const noexcept;
+  /// Whether somebody leads the wearer, who then takes no link unasked but by mistake.
+  void lead(bool led) noexcept { led_ = led; }
 
   /// Whether a particle that is away climbs, and so makes steps.
   [[nodiscard]] bool on_stairs(const Particle& away) const noexcept { return ends_[static_cast<std::size_t>(away.link_end)].stairs; }
@@ -58,6 +69,7 @@ class LevelLinks {
   std::vector<End> ends_;                   ///< Sorted by room.
   std::vector<std::uint32_t> first_;        ///< Of each room, and one past the last.
   std::optional<LevelTransition> told_;
+  bool led_ = false;
 };
 
 }  // namespace echoway::tracker

@@ -293,8 +293,9 @@ double Search::log_prior_of_heading(const Particle& p, const Building& building,
 
 // A tracker that lost its hold is most often not far off; being carried elsewhere is rare.
 double Search::log_prior(const Particle& p, const Building& building, double turned) const noexcept {
-  if (domain_.near_room == kNoRoom) return 0.0;
-  const double facing = log_prior_of_heading(p, building, turned);
+  const double level = domain_.levels != nullptr ? domain_.levels->log_probability(p.room) : 0.0;
+  if (domain_.near_room == kNoRoom) return level;
+  const double facing = level + log_prior_of_heading(p, building, turned);
   if (domain_.within) return facing;
   constexpr double kNearSigma = 2.0;
   constexpr double kNearShare = 0.9997;

@@ -5,6 +5,7 @@
 
 #include "tracker/history.hpp"
 #include "tracker/elementary.hpp"
+#include "tracker/level_belief.hpp"
 #include "tracker/likelihood.hpp"
 #include "tracker/panorama.hpp"
 #include "tracker/population.hpp"
@@ -23,6 +24,7 @@ struct SearchDomain {
   std::optional<double> within;               ///< Metres: look no farther from there, on any level,
   std::optional<double> kept_heading;         ///< When set, headings near this one are likelier (that room's frame, at the start).
   std::optional<double> near_heading;         ///< and, when set, only about this heading (that room's frame).
+  const LevelBelief* levels = nullptr;        ///< When set, places on levels where the wearer has been are likelier.
 };
 
 /// Looks for the wearer over a whole building. First a sweep: a grid of positions and headings is replayed through a window

@@ -752,6 +752,16 @@ TEST_F(OnStairsTest, WhoAsksOnceTheyMustBeOutIsLookedForAndNotSentUpAgain) {
   const auto cues = kinds(wearer.stay(4.0, between));
   EXPECT_THAT(cues, Contains(CueKind::uncertain));
   EXPECT_THAT(cues, Not(Contains(CueKind::take_link)));
+  EXPECT_TRUE(wearer.guide.take_doubt()) << "they are out, and still taken to be on the level that they left";
+}
+
+TEST_F(OnStairsTest, WhoAsksAndIsFoundOnAnotherLevelIsNotDoubted) {
+  Estimate above = at(1, 1, {1, 2}, 0.0);
+  above.state = TrackState::searching;
+  above.room_probability = 0.4;
+  (void)wearer.stay(16.0, lost(0));
+  ASSERT_TRUE(wearer.guide.repeat());
+  (void)wearer.stay(1.0, above);
   EXPECT_FALSE(wearer.guide.take_doubt());
 }
 

@@ -43,6 +43,7 @@ class PoseSource {
   /// The wearer is between two levels. By default nothing new is known meanwhile.
   virtual void observe_between(double /*time_s*/, const Crossing& /*crossing*/, Guide& /*guide*/) {}
   virtual void on_level_transition(const LevelTransition&) {}
+  virtual void on_led(bool) {}
   virtual void on_doubt() {}
   /// What stands in a room and is in no plan; a wearer who walks into it is stopped. In the room's frame.
   [[nodiscard]] virtual std::vector<Segment> things(RoomIndex /*room*/) { return {}; }

@@ -24,9 +24,10 @@ Building tower() {
 }
 
 // Rooms in which particles that start in room 1 at `at` are found after so many seconds; the last counts those on the way.
-std::array<int, 4> after(double seconds, Vec2 at, const LevelTransition* told) {
+std::array<int, 4> after(double seconds, Vec2 at, const LevelTransition* told, bool led = false) {
   const Building building = tower();
   LevelLinks links(building);
+  links.lead(led);
   if (told != nullptr) links.expect(*told);
   Random random(5);
   std::array<int, 4> found{};
@@ -61,11 +62,43 @@ TEST(LevelLinks, TakeMostWhereTheyWereTold) {
   EXPECT_GT(found[2], 4 * found[0]);
 }
 
+TEST(LevelLinks, AreTakenByFewWhoAreLedElsewhere) {
+  EXPECT_GT(after(40.0, {2.2, 2.0}, nullptr, true)[1], 300);
+  const LevelTransition up{1, 1, 2, 0.0, 45.0};
+  EXPECT_GT(after(40.0, {2.2, 2.0}, &up, true)[2], 250) << "unless they are told to";
+}
+
+TEST(LevelLinks, WhoIsToldOfThemFindsThemFromAFewStepsOff) {
+  const LevelTransition up{1, 1, 2, 0.0, 45.0};
+  EXPECT_EQ(after(40.0, {3.7, 2.0}, nullptr, true)[1], 400);
+  EXPECT_GT(after(40.0, {3.7, 2.0}, &up, true)[2], 250);
+}
+
 TEST(LevelLinks, NobodyIsThereAtOnce) {
   const LevelTransition up{1, 1, 2, 0.0, 45.0};
   const auto found = after(4.0, {2.2, 2.0}, &up);
   EXPECT_EQ(found[0] + found[2], 0);
   EXPECT_GT(found[3], 300);
+}
+
+Shot echo_from(double range) {
+  Shot shot;
+  shot.echo = true;
+  shot.range = range;
+  return shot;
+}
+
+TEST(Cabin, IsHeardByItsNearWalls) {
+  EXPECT_GT(in_cabin(echo_from(0.6)), 3.0 * in_cabin(echo_from(2.5)));
+  EXPECT_GT(in_cabin(echo_from(2.5)), 10.0 * in_cabin(echo_from(6.0)));
+}
+
+TEST(Cabin, AnswersAgainAndAgain) {
+  const Repeat again{3, 1.0};
+  Shot shot = echo_from(0.6);
+  const double once = in_cabin(shot);
+  shot.repeats = {&again, 1};
+  EXPECT_GT(in_cabin(shot), 2.0 * once);
 }
 
 }  // namespace

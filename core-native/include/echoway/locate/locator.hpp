@@ -51,6 +51,9 @@ class Locator {
   /// A hint, not a fact: the wearer may stay.
   virtual void on_level_transition(const LevelTransition& /*transition*/) {}
 
+  /// Whether somebody leads the wearer to a destination from now on: who is led takes stairs only when told to.
+  virtual void on_led(bool /*led*/) {}
+
   /// The wearer gets nowhere as if they were where estimate() says: other places are to be looked for. Evidence, not a fact.
   virtual void on_doubt() {}
 

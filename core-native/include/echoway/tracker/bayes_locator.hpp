@@ -43,6 +43,7 @@ class BayesLocator final : public Locator {
   void on_motion(const MotionHint& hint) override;
   void on_temperature(double celsius) override;
   void on_level_transition(const LevelTransition& transition) override;
+  void on_led(bool led) override;
   void on_doubt() override;
   [[nodiscard]] const Estimate& estimate() const override;
   [[nodiscard]] std::span<const Hypothesis> hypotheses() const override;
