@@ -79,7 +79,9 @@ bool BayesLocator::Core::on_firing(const Firing& firing) {
   if (model_ == &deafened_ && record.echo && record.range > kHardOfHearingRange && hears_far()) model_ = &keen_;
   pursue_search();
   if (!main_.empty()) thin_out(main_);
-  if (rival_.present()) thin_out(rival_.population());
+  for (Rival& rival : rivals_) {
+    if (rival.present()) thin_out(rival.population());
+  }
   conclude(firing.time_s);
   remember(record);
   if (record.echo) repeats_.note(belt_, record.sensor, record.range, last_time_);
@@ -132,7 +134,7 @@ Shot BayesLocator::Core::aim(const Record& record) const {
   return shot_of(record, belt_, bearings_[static_cast<std::size_t>(record.sensor)]);
 }
 
-// One firing for the belief and for its rival, if there is one.
+// One firing for the belief and for its rivals, if there are any.
 void BayesLocator::Core::track(Record& record, const HintIntegrator::GaitEvidence& gait) {
   Shot shot = aim(record);
   const bool tracked = record.echo && estimate_.state == TrackState::tracking;
@@ -145,9 +147,7 @@ void BayesLocator::Core::track(Record& record, const HintIntegrator::GaitEvidenc
   if (tracked && record.range > kBeyondArms) mapped_share_ += kShareGain * (verdict.mapped - mapped_share_);
   record.log_main = record.novelty * verdict.log_plan;
   if (record.trust > 0.5) fit_.observe(verdict.log_plan, record.echo, record.range);
-  if (!rival_.present()) return;
-  const double log_rival = record.novelty * update(rival_.population(), record, gait, shot).log_plan;
-  settle_probation(rival_.judge(record.log_main, log_rival, fit_.poor() && unconfirmed_ == 0));
+  judge_rivals(record, gait, shot);
 }
 
 // Predicts, weighs and corrects every particle.
@@ -287,7 +287,7 @@ void BayesLocator::Core::learn_pace(double time_s) {
 // Whoever stands does not turn: what the gyroscope reads meanwhile is its bias.
 void BayesLocator::Core::stand_still(double rate) {
   main_.observe_gyro_bias(rate, StillRate::kSigma, random_);
-  rival_.population().observe_gyro_bias(rate, StillRate::kSigma, random_);
+  for (Rival& rival : rivals_) rival.population().observe_gyro_bias(rate, StillRate::kSigma, random_);
 }
 
 void BayesLocator::Core::see_who_is_away() {

@@ -16,7 +16,7 @@
 #include "tracker/motion.hpp"
 #include "tracker/novelty.hpp"
 #include "tracker/population.hpp"
-#include "tracker/rival.hpp"
+#include "tracker/rivals.hpp"
 #include "tracker/search.hpp"
 #include "tracker/sensor_health.hpp"
 #include "tracker/summary.hpp"
@@ -91,7 +91,9 @@ class BayesLocator::Core {
   void conclude_doubt();
   [[nodiscard]] std::optional<LevelTransition> link_to_take() const;
   [[nodiscard]] bool is_doubted(const tracker::Particle& p) const;
-  void settle_probation(tracker::Rival::Verdict verdict);
+  void judge_rivals(const tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait, const tracker::Shot& shot);
+  [[nodiscard]] bool may_search() const;
+  void believe(tracker::Rival& rival);
   [[nodiscard]] std::uint64_t search_pause() const;
   [[nodiscard]] double handicap() const;
   [[nodiscard]] bool hears_far() const;
@@ -113,7 +115,7 @@ class BayesLocator::Core {
   Random random_;
   tracker::Population main_;
   tracker::Modes modes_;
-  tracker::Rival rival_;
+  tracker::Rivals rivals_;
   tracker::Search search_;
   tracker::SensorHealth health_;
   tracker::History history_;
@@ -141,7 +143,7 @@ class BayesLocator::Core {
   double step_length_ = 0.65;       ///< Metres of a usual step, learnt.
   double log_scale_ = 0.0;
   double log_scale_sigma_ = 0.0;
-  int fruitless_ = 0;               ///< Searches in a row that found nothing, each wider than the one before.
+  int fruitless_ = 0;               ///< Searches since a place was last taken for granted, each wider than the one before.
   int explained_ = 0;               ///< Firings in a row that a place taken for granted has explained well.
   int unconfirmed_ = 0;             ///< Firings that a place which a search found must yet explain to be taken for granted.
   std::uint64_t searches_ = 0;      ///< Recovery searches so far.

@@ -27,7 +27,7 @@ void BayesLocator::Core::start_doubting() {
   if (hearing_test_ != HearingTest::done || away || now < kDoubtWindow) return;
   const std::uint64_t begin = now - kDoubtWindow;
   if (echoes_since(begin) < kFewestEchoes) return;
-  rival_.dismiss();
+  rivals_.dismiss_all();
   search_.start(SearchDomain{}, begin, now);
   doubt_ = Doubt::running;
 }
@@ -36,7 +36,7 @@ void BayesLocator::Core::start_doubting() {
 void BayesLocator::Core::conclude_doubt() {
   doubt_ = Doubt::none;
   last_search_ = history_.end();
-  Population& found = rival_.population();
+  Population& found = rivals_.place_for_another().population();
   search_.take(found, random_);
   double here = 0.0;
   for (Particle& p : found.particles()) {
@@ -51,7 +51,7 @@ void BayesLocator::Core::conclude_doubt() {
     if (p.weight > 0.0) main_.push(p);
   }
   main_.normalize();
-  rival_.dismiss();
+  rivals_.dismiss_all();
   if (1.0 - here < 0.5 * kept) return;  // nothing else will do
   unconfirmed_ = kConfirmed;
   fruitless_ = 0;

@@ -13,7 +13,8 @@ constexpr std::uint64_t kRecoveryWindow = 40;        // Firings that a recovery 
 constexpr std::uint64_t kBlindRecoveryWindow = 20;   // The same without a gyroscope: a wearer hardly turns meanwhile.
 constexpr std::uint64_t kSearchPause = 48;           // Firings between searches,
 constexpr int kMostDoublings = 3;                    // doubled so often at most while they find nothing;
-constexpr std::uint64_t kBlindPause = 24;            // without a gyroscope, which a wrong belief could lean on,
+constexpr std::uint64_t kPoorPause = 16;             // against a belief that does not fit,
+constexpr std::uint64_t kBlindPoorPause = 8;         // without a gyroscope, which a wrong belief could lean on,
 constexpr std::uint64_t kUnconfirmedPause = 24;      // while no place has proved itself yet,
 constexpr std::uint64_t kBlindUnconfirmedPause = 32; // and both.
 constexpr int kSecondOpinions = 3;                   // Searches in vain after which a place that looks right is left to prove itself.
@@ -54,7 +55,7 @@ SearchTools BayesLocator::Core::tools() const {
 // Searches when nothing is known yet, and when the echoes fit less well than they used to.
 void BayesLocator::Core::pursue_search() {
   if (doubt_ == Doubt::due && !main_.empty()) start_doubting();
-  if (!search_.running() && !rival_.present()) {
+  if (!search_.running() && may_search()) {
     if (main_.empty()) {
       start_first_search();
     } else {
@@ -69,6 +70,11 @@ void BayesLocator::Core::pursue_search() {
   } else {
     challenge();
   }
+}
+
+// While the belief explains the echoes one rival at a time is enough; one that does not is searched against all the while.
+bool BayesLocator::Core::may_search() const {
+  return rivals_.none() || (unconfirmed_ > 0 ? fit_.doubtful() : fit_.poor());
 }
 
 void BayesLocator::Core::start_recovery() {
@@ -163,16 +169,18 @@ void BayesLocator::Core::challenge() {
   double log_main = 0.0;
   for (std::uint64_t n = first; n < now; ++n) log_main += share_of(n, first, belt_) * history_[n].log_main;
   const double odds = search_.log_evidence() - log_main + (search_.is_local() ? kLogFoundNear : kLogFoundFar);
+  const double log_odds = std::min(odds, handicap());
   last_search_ = now;
   ++searches_;
+  ++fruitless_;
   if (odds < kLogHopeless) {
     search_.stop();
-    ++fruitless_;
     return;
   }
-  search_.take(rival_.population(), random_);
-  rival_.begin(std::min(odds, handicap()));
-  if (!options_.parts.probation) settle_probation(Rival::Verdict::accepted);
+  Rival& rival = rivals_.place_for_another();
+  search_.take(rival.population(), random_);
+  rival.begin(log_odds);
+  if (!options_.parts.probation) believe(rival);
 }
 
 double BayesLocator::Core::handicap() const {
@@ -185,21 +193,39 @@ double BayesLocator::Core::handicap() const {
 std::uint64_t BayesLocator::Core::search_pause() const {
   if (fruitless_ == 0 && last_search_ == 0) return 0;
   if (unconfirmed_ > 0) return gyro_ ? kUnconfirmedPause : kBlindUnconfirmedPause;
-  if (fit_.poor() && !gyro_) return kBlindPause;
-  return kSearchPause << std::min(fit_.poor() ? fruitless_ / kCircles : fruitless_, kMostDoublings);
+  if (fit_.poor()) return gyro_ ? kPoorPause : kBlindPoorPause;
+  return kSearchPause << std::min(fruitless_, kMostDoublings);
 }
 
-void BayesLocator::Core::settle_probation(Rival::Verdict verdict) {
-  if (verdict == Rival::Verdict::undecided) return;
-  if (verdict == Rival::Verdict::rejected) {
-    rival_.dismiss();
-    ++fruitless_;
-    last_search_ = history_.end();
-    return;
+void BayesLocator::Core::judge_rivals(const Record& record, const HintIntegrator::GaitEvidence& gait, const Shot& shot) {
+  for (Rival& rival : rivals_) {
+    if (!rival.present()) continue;
+    const double log_rival = record.novelty * update(rival.population(), record, gait, shot).log_plan;
+    switch (rival.judge(record.log_main, log_rival, fit_.poor() && unconfirmed_ == 0)) {
+      case Rival::Verdict::undecided:
+        break;
+      case Rival::Verdict::rejected:
+        rival.dismiss();
+        last_search_ = history_.end();
+        break;
+      case Rival::Verdict::accepted:
+        believe(rival);
+        return;
+    }
   }
-  main_.swap(rival_.population());
-  rival_.begin(kLogReturn);   // The old belief may yet turn out to be right.
-  fruitless_ = 0;
+}
+
+// Who was lost and is found anew may be lost again: what replaces a belief that fitted no longer must prove itself as what
+// the first search found, and if it does not, the circles go on to widen.
+void BayesLocator::Core::believe(Rival& rival) {
+  main_.swap(rival.population());
+  rivals_.dismiss_others(rival);
+  rival.begin(kLogReturn);   // The old belief may yet turn out to be right.
+  if (fit_.poor()) {
+    unconfirmed_ = kConfirmed;
+  } else {
+    fruitless_ = 0;
+  }
   memory_.clear();
   mapped_share_ = kUsuallyMapped;
   fit_.reset();

@@ -16,6 +16,7 @@ constexpr double kStartSpeedSigma = 0.2;          // Metres a second, of one who
 constexpr std::size_t kFacing = 400;              // Particles of a start whose heading is known,
 constexpr std::size_t kAllRound = 1800;           // and of one whose heading is not.
 constexpr std::size_t kCapacity = 2400;
+constexpr std::size_t kMostRivals = 2;
 constexpr std::size_t kRivalCapacity = 600;
 constexpr double kLeastClearance = 0.12;          // Nobody's axis comes nearer to a wall, metres.
 
@@ -46,7 +47,7 @@ BayesLocator::Core::Core(const Building& building, const BeltConfig& belt, const
       random_(options.seed),
       main_(kCapacity),
       modes_(kCapacity, Modes::Parameters{}),
-      rival_(kRivalCapacity),
+      rivals_(kMostRivals, kRivalCapacity),
       search_(scene_, Search::Parameters{}),
       health_(belt.sensors),
       links_(building),

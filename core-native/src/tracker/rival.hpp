@@ -20,6 +20,9 @@ class Rival {
   void begin(double log_odds) noexcept;
   void dismiss() noexcept { population_.clear(); }
 
+  /// What its log odds have gained since the probation began.
+  [[nodiscard]] double gain() const noexcept { return log_odds_ - log_begin_; }
+
   enum class Verdict : std::uint8_t { undecided, rejected, accepted };
   /// Log densities that the belief and the rival gave a firing, and whether a belief that was sure once fits no longer.
   [[nodiscard]] Verdict judge(double log_belief, double log_rival, bool belief_poor) noexcept;
