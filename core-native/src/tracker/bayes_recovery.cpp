@@ -13,8 +13,8 @@ constexpr std::uint64_t kRecoveryWindow = 40;        // Firings that a recovery 
 constexpr std::uint64_t kBlindRecoveryWindow = 20;   // The same without a gyroscope: a wearer hardly turns meanwhile.
 constexpr std::uint64_t kSearchPause = 48;           // Firings between searches,
 constexpr int kMostDoublings = 3;                    // doubled so often at most while they find nothing;
-constexpr std::uint64_t kPoorPause = 16;             // against a belief that does not fit,
-constexpr std::uint64_t kBlindPoorPause = 8;         // without a gyroscope, which a wrong belief could lean on,
+constexpr std::uint64_t kPoorPause = 16;             // against a belief that does not fit, doubled after all circles,
+constexpr std::uint64_t kBlindPoorPause = 8;         // and never so without a gyroscope, which a wrong belief could lean on,
 constexpr std::uint64_t kUnconfirmedPause = 24;      // while no place has proved itself yet,
 constexpr std::uint64_t kBlindUnconfirmedPause = 32; // and both.
 constexpr int kSecondOpinions = 3;                   // Searches in vain after which a place that looks right is left to prove itself.
@@ -193,8 +193,8 @@ double BayesLocator::Core::handicap() const {
 std::uint64_t BayesLocator::Core::search_pause() const {
   if (fruitless_ == 0 && last_search_ == 0) return 0;
   if (unconfirmed_ > 0) return gyro_ ? kUnconfirmedPause : kBlindUnconfirmedPause;
-  if (fit_.poor()) return gyro_ ? kPoorPause : kBlindPoorPause;
-  return kSearchPause << std::min(fruitless_, kMostDoublings);
+  if (fit_.poor() && !gyro_) return kBlindPoorPause;
+  return fit_.poor() ? kPoorPause << std::min(fruitless_ / kCircles, kMostDoublings) : kSearchPause << std::min(fruitless_, kMostDoublings);
 }
 
 void BayesLocator::Core::judge_rivals(const Record& record, const HintIntegrator::GaitEvidence& gait, const Shot& shot) {
