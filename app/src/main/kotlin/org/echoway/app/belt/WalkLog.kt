@@ -31,7 +31,7 @@ data class WalkLog(
         const val DEFAULT_SENSORS = 15
 
         /**
-         * A last line without its end was torn off by a crash, and is left out.
+         * A last line without its end was torn off by a crash: a number in it may lack digits. It is left out.
          *
          * @throws IOException with the line's number when a line is not what the format says
          */
@@ -42,11 +42,11 @@ data class WalkLog(
                 Regex("sensors (\\d+)").matchEntire(comment)?.let { sensors = it.groupValues[1].toInt() }
                 restart(comment)?.let(restarts::add)
             }) { (time, sensor, range) ->
-                LoggedFiring(time.toDouble(), sensor.toInt(), range.ifEmpty { null }?.toDouble())
+                LoggedFiring(number(time), sensor.toInt(), range.ifEmpty { null }?.let(::length))
             }
             if (firings.isEmpty()) throw IOException("the log holds no firing")
             if (firings.any { it.sensor !in 0 until sensors }) throw IOException("the log names a sensor that its belt does not have")
-            val hints = motion?.let { reader -> rows(reader) { (time, kind, value) -> hint(time.toDouble(), kind, value.toDouble()) } }
+            val hints = motion?.let { reader -> rows(reader) { (time, kind, value) -> hint(number(time), kind, number(value)) } }
             return WalkLog(sensors, firings, hints.orEmpty(), restarts)
         }
 
@@ -54,9 +54,9 @@ data class WalkLog(
         private fun restart(comment: String): LoggedRestart? {
             val words = comment.split(' ').filter { it.isNotEmpty() }
             if (words.size != RESTART_WORDS || words[0] != "restart") return null
-            val (x, y, heading) = words.drop(3).map { word -> if (word == "-") null else word.toDouble() }
+            val (x, y, heading) = words.drop(3).map { word -> if (word == "-") null else number(word) }
             val at = if (x != null && y != null) Point(x, y) else null
-            return LoggedRestart(words[1].toDouble(), words[2].takeIf { it != "-" }, at, heading?.let(Math::toRadians))
+            return LoggedRestart(number(words[1]), words[2].takeIf { it != "-" }, at, heading?.let(Math::toRadians))
         }
 
         private fun hint(timeS: Double, kind: String, value: Double) = when (kind) {
@@ -84,6 +84,15 @@ data class WalkLog(
 
         private fun String.wholeLines() = if (endsWith('\n')) lines() else lines().dropLast(1)
 
+        /** Only decimal and finite: Java would read `NaN`, `0x1p3` and `1f` as well. */
+        private fun number(text: String): Double {
+            val value = if (DECIMAL.matches(text)) text.toDouble() else Double.NaN
+            if (!value.isFinite()) throw NumberFormatException("$text is not a number")
+            return value
+        }
+
+        private fun length(text: String) = number(text).also { if (it < 0.0) throw NumberFormatException("a range of $text m") }
+
         private fun <T> parsed(number: Int, line: String, row: (List<String>) -> T): T = numbered(number, line) {
             row(line.trim().split(',').also { if (it.size < COLUMNS) throw NumberFormatException("too few columns") })
         }
@@ -94,6 +103,7 @@ data class WalkLog(
             throw IOException("line $number: $line: ${e.message}", e)
         }
 
+        private val DECIMAL = Regex("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?")
         private const val COLUMNS = 3
         private const val RESTART_WORDS = 6
     }

@@ -33,6 +33,13 @@ class WalkLogTest {
         assertTrue(error.message, error.message!!.startsWith("line 3: 0.06,two,1.0"))
     }
 
+    @Test fun refusesWhatIsNoLength() {
+        for (range in listOf("NaN", "-1", "1e999", "0x1p3", "1.5f")) {
+            val error = assertThrows(IOException::class.java) { read("time_s,sensor,range_m\n0.0,0,$range\n0.06,0,1.5\n") }
+            assertTrue(error.message, error.message!!.startsWith("line 2: 0.0,0,$range"))
+        }
+    }
+
     @Test fun refusesAnEmptyLogAndAnImpossibleSensor() {
         assertThrows(IOException::class.java) { read("time_s,sensor,range_m\n") }
         assertThrows(IOException::class.java) { read("# sensors 3\ntime_s,sensor,range_m\n0.0,3,1.0\n") }
