@@ -98,7 +98,7 @@ void BayesLocator::Core::start_recovery() {
   const bool unsure = fit_.doubtful() || (unconfirmed_ > 0 && unproved);
   if (away_ > kPerhapsAway || !somewhere || !unsure || echoes_since(begin) < kFewestEchoes) return;
   if (unconfirmed_ > 0) {
-    if (start_.room && fruitless_ == 0) domain.only_room = *start_.room;
+    if (start_.room && searches_ == 0) domain.only_room = *start_.room;
     domain.level_heading = compass_at(begin);
     search_.start(domain, begin, now);
     return;
