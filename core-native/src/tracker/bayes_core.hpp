@@ -83,6 +83,9 @@ class BayesLocator::Core {
   void pursue_search();
   void start_first_search();
   void start_recovery();
+  [[nodiscard]] bool may_be_elsewhere() const;
+  void look_where_stairs_lead(tracker::SearchDomain& domain, std::uint64_t begin) const;
+  void look_in_a_circle(tracker::SearchDomain& domain, std::uint64_t begin) const;
   [[nodiscard]] double heading_at(std::uint64_t firing) const;
   [[nodiscard]] std::optional<double> compass_at(std::uint64_t firing) const;
   void conclude_first_search();

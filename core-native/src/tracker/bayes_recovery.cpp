@@ -85,24 +85,33 @@ void BayesLocator::Core::start_recovery() {
   domain.levels = &levels_;
   domain.heading_sigma = kHeadingStep;
   if (away_ > kSurelyAway) {
-    domain.near_room = landing_.room;
-    domain.near_position = landing_.at;
-    domain.within = kRoundAbout;
-    if (gyro_) domain.near_heading = landing_.turn + heading_at(begin);
-    search_.start(domain, begin, now);
+    look_where_stairs_lead(domain, begin);
+  } else if (!may_be_elsewhere() || echoes_since(begin) < kFewestEchoes) {
     return;
-  }
-  // While all sorts of places are possible there is nothing that a search could correct.
-  const bool somewhere = summary_.hypotheses[0].probability > kSomewhere;
-  const bool unproved = estimate_.state != TrackState::tracking || (gyro_ && fruitless_ < kSecondOpinions);
-  const bool unsure = fit_.doubtful() || (unconfirmed_ > 0 && unproved);
-  if (away_ > kPerhapsAway || !somewhere || !unsure || echoes_since(begin) < kFewestEchoes) return;
-  if (unconfirmed_ > 0) {
+  } else if (unconfirmed_ > 0) {
     if (start_.room && searches_ == 0) domain.only_room = *start_.room;
     domain.level_heading = compass_at(begin);
-    search_.start(domain, begin, now);
-    return;
+  } else {
+    look_in_a_circle(domain, begin);
   }
+  search_.start(domain, begin, now);
+}
+
+// While all sorts of places are possible there is nothing that a search could correct.
+bool BayesLocator::Core::may_be_elsewhere() const {
+  const bool somewhere = summary_.hypotheses[0].probability > kSomewhere;
+  const bool unproved = estimate_.state != TrackState::tracking || (gyro_ && fruitless_ < kSecondOpinions);
+  return away_ <= kPerhapsAway && somewhere && (fit_.doubtful() || (unconfirmed_ > 0 && unproved));
+}
+
+void BayesLocator::Core::look_where_stairs_lead(SearchDomain& domain, std::uint64_t begin) const {
+  domain.near_room = landing_.room;
+  domain.near_position = landing_.at;
+  domain.within = kRoundAbout;
+  if (gyro_) domain.near_heading = landing_.turn + heading_at(begin);
+}
+
+void BayesLocator::Core::look_in_a_circle(SearchDomain& domain, std::uint64_t begin) const {
   if (gyro_) domain.kept_heading = estimate_.pose.heading;
   domain.near_room = estimate_.room;
   domain.near_position = estimate_.pose.position;
@@ -110,7 +119,6 @@ void BayesLocator::Core::start_recovery() {
   if (circle == 0) domain.within = kRoundAbout;
   if (circle == 1) domain.within = kNearby;
   if (circle == 0 && gyro_) domain.near_heading = heading_at(begin);
-  search_.start(domain, begin, now);
 }
 
 // The estimate's heading at an earlier firing, by the gyroscope: a search begins where its window does.
@@ -216,7 +224,7 @@ void BayesLocator::Core::judge_rivals(const Record& record, const HintIntegrator
 }
 
 // Who was lost and is found anew may be lost again: what replaces a belief that fitted no longer must prove itself as what
-// the first search found, and if it does not, the circles go on to widen.
+// the first search found; until it has, everywhere is searched.
 void BayesLocator::Core::believe(Rival& rival) {
   main_.swap(rival.population());
   rivals_.dismiss_others(rival);
