@@ -16,13 +16,6 @@ struct Options {
   std::string format, source, out, report;
 };
 
-Status write_report(const std::string& path, const std::string& text) {
-  Result<AtomicFile> file = AtomicFile::create(path);
-  if (!file) return file.error();
-  file->write(text);
-  return file->commit();
-}
-
 std::string summary(const Building& building, const import::LonLat& centre, const import::Report& report) {
   using Kind = import::ReportItem::Kind;
   return fmt::format("{}: {} rooms, {} doors, {} links between levels, {} exits, {} places\n"
@@ -47,7 +40,7 @@ int run(const Options& options) {
     text += summary(imported->building, imported->centre, report);
   }
   fmt::print("{}", text);
-  if (done && !options.report.empty()) done = write_report(options.report, text);
+  if (done && !options.report.empty()) done = write_file(options.report, text);
   return done ? 0 : bad_input(done.error());
 }
 

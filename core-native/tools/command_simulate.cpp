@@ -91,13 +91,6 @@ Result<sim::Walk> get_walk(const Options& options) {
   return sim::read_walk(options.walk);
 }
 
-Status write_text(const std::string& text, const std::string& path) {
-  Result<AtomicFile> file = AtomicFile::create(path);
-  if (!file) return file.error();
-  file->write(text);
-  return file->commit();
-}
-
 // One scan at each pose of a truth file.
 Status scan_at(const Options& options) {
   if (options.building.empty()) return Error{"--at needs --building"};
@@ -132,7 +125,7 @@ Status simulate(const Options& options) {
   if (const Status written = write_scan_log(run->scans, options.out + ".scans.csv"); !written) return written;
   if (const Status written = write_motion_log(run->motion, options.out + ".motion.csv"); !written) return written;
   if (const Status written = write_truth_log(run->truth, options.out + ".truth.csv"); !written) return written;
-  return options.random_s > 0.0 ? write_text(sim::format_walk(*walk), options.out + ".walk") : success();
+  return options.random_s > 0.0 ? write_file(options.out + ".walk", sim::format_walk(*walk)) : success();
 }
 
 }  // namespace

@@ -7,10 +7,7 @@
 namespace echoway::report {
 
 void Table::write(const std::filesystem::path& path) const {
-  auto file = AtomicFile::create(path);
-  if (!file) throw std::runtime_error(file.error().to_string());
-  file->write(text_);
-  if (const Status done = file->commit(); !done) throw std::runtime_error(done.error().to_string());
+  if (const Status done = write_file(path, text_); !done) throw std::runtime_error(done.error().to_string());
 }
 
 }  // namespace echoway::report

@@ -119,4 +119,11 @@ Status AtomicFile::commit() {
   return success();
 }
 
+Status write_file(const fs::path& file, std::string_view text) {
+  Result<AtomicFile> out = AtomicFile::create(file);
+  if (!out) return out.error();
+  out->write(text);
+  return out->commit();
+}
+
 }  // namespace echoway

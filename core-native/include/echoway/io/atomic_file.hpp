@@ -52,4 +52,7 @@ class AtomicFile {
   int error_ = 0;                    ///< errno of the first failure.
 };
 
+/// Writes `text` as the whole of a file, all of it or nothing.
+Status write_file(const std::filesystem::path& file, std::string_view text);
+
 }  // namespace echoway
