@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "belt/belt.hpp"
+#include "echoway/guidance/advise.hpp"
 #include "echoway/sim/world.hpp"
 #include "echoway/tracker/bayes_locator.hpp"
 #include "level_crossing.hpp"
@@ -25,9 +26,7 @@ class TrackedPose : public test::PoseSource {
 
   void observe(double time_s, RoomIndex room, const Pose2& pose, double speed, Guide& guide) override;
   void observe_between(double time_s, const test::Crossing& crossing, Guide& guide) override;
-  void on_level_transition(const LevelTransition& transition) override { locator_.on_level_transition(transition); }
-  void on_led(bool led) override { locator_.on_led(led); }
-  void on_doubt() override { locator_.on_doubt(); }
+  bool heed(Guide& guide) override { return advise(locator_, guide); }
 
   /// Distance between estimate and truth, metres, of every observation while the room was right.
   [[nodiscard]] const std::vector<double>& errors() const noexcept { return errors_; }

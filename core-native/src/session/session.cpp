@@ -10,6 +10,7 @@
 #include "echoway/belt/firing_clock.hpp"
 #include "echoway/belt/sentence.hpp"
 #include "echoway/building/loader.hpp"
+#include "echoway/guidance/advise.hpp"
 #include "echoway/guidance/guide.hpp"
 #include "session/make_locator.hpp"
 
@@ -81,9 +82,7 @@ struct Session::Impl {
     if (renewed) {
       monitor.set_suspicions(locator->suspicions());
       guide.on_estimate(locator->estimate(), locator->hypotheses());
-      locator->on_led(guide.has_destination());
-      if (const auto transition = guide.take_level_transition()) locator->on_level_transition(*transition);
-      if (guide.take_doubt()) locator->on_doubt();
+      advise(*locator, guide);
     }
     guide.on_firing(firing);
     guide.on_belt_health(monitor.health(), firing.time_s);

@@ -428,12 +428,7 @@ WalkOutcome walk_blindfolded(const Router& router, const Spot& start, double hea
       source.observe(now, body.room(), body.pose(), wearer.speed(), guide);
     }
     if (wearer.asks()) guide.repeat();
-    source.on_led(guide.has_destination());
-    if (const auto transition = guide.take_level_transition()) source.on_level_transition(*transition);
-    if (guide.take_doubt()) {
-      source.on_doubt();
-      outcome.doubts.push_back(now);
-    }
+    if (source.heed(guide)) outcome.doubts.push_back(now);
     Cue cue;
     while (guide.next_cue(cue)) {
       outcome.words.push_back(speaker.say(cue));

@@ -42,9 +42,11 @@ class PoseSource {
   virtual void observe(double time_s, RoomIndex room, const Pose2& pose, double speed, Guide& guide) = 0;
   /// The wearer is between two levels. By default nothing new is known meanwhile.
   virtual void observe_between(double /*time_s*/, const Crossing& /*crossing*/, Guide& /*guide*/) {}
-  virtual void on_level_transition(const LevelTransition&) {}
-  virtual void on_led(bool) {}
-  virtual void on_doubt() {}
+  /// Takes what the guide has to say of the wearer's way, as advise() does; by default it changes nothing.
+  virtual bool heed(Guide& guide) {
+    (void)guide.take_level_transition();
+    return guide.take_doubt();
+  }
   /// What stands in a room and is in no plan; a wearer who walks into it is stopped. In the room's frame.
   [[nodiscard]] virtual std::vector<Segment> things(RoomIndex /*room*/) { return {}; }
 };

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "echoway/guidance/guide.hpp"
+#include "echoway/locate/locator.hpp"
+
+namespace echoway {
+
+/// Tells the locator what the guide knows of the wearer's way: whether they are led, what they were told to take, and whether
+/// they get nowhere from where they are thought to be. To be called after every estimate; whether the guide doubts it.
+bool advise(Locator& locator, Guide& guide);
+
+}  // namespace echoway
