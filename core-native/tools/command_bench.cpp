@@ -65,7 +65,7 @@ report::Estimator estimator_of(const Contestant& contestant) {
 Outcome contest(const Contestant& contestant, const Building& building, const std::vector<sim::Simulation>& walks) {
   const report::Estimator estimator = estimator_of(contestant);
   Outcome outcome;
-  std::vector<double> firing_us;
+  report::Track all;
   for (const sim::Simulation& walk : walks) {
     const report::Track track = report::follow({building, building, walk}, estimator);
     const report::Summary summary = report::summarise(track);
@@ -74,9 +74,9 @@ Outcome contest(const Contestant& contestant, const Building& building, const st
     outcome.worst_walk_m = std::max(outcome.worst_walk_m, summary.mean_m);
     outcome.right_room += share * summary.right_room;
     outcome.heading_rad += share * summary.turn_rad;
-    firing_us.insert(firing_us.end(), track.firing_us.begin(), track.firing_us.end());
+    all.firing_us.insert(all.firing_us.end(), track.firing_us.begin(), track.firing_us.end());
   }
-  outcome.cpu_us = report::Track{{}, std::move(firing_us)}.cpu_us();
+  outcome.cpu_us = all.cpu_us();
   return outcome;
 }
 

@@ -13,9 +13,9 @@ constexpr std::uint64_t kDoubtWindow = 80;           // Firings that a search ou
 constexpr std::size_t kKept = 1200;                  // Particles of the belief that is doubted.
 constexpr double kLeastHere = 0.2;                   // What a search, which is coarse, may miss of it.
 constexpr double kDoubtedOdds = 0.5;                 // Of the place that is doubted,
-constexpr double kLinkOdds = 0.05;                   // Who finds no stairs to take is not where they begin.
 constexpr double kDoubted = 1.0;                     // which reaches so many metres
 constexpr double kDoubtedTurn = degrees(60.0);       // and so far round.
+constexpr double kLinkOdds = 0.05;                   // The same of the stairs that were to be taken: who finds none is not there.
 
 }  // namespace
 

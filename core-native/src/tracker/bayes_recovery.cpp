@@ -201,8 +201,8 @@ double BayesLocator::Core::handicap() const {
 std::uint64_t BayesLocator::Core::search_pause() const {
   if (fruitless_ == 0 && last_search_ == 0) return 0;
   if (unconfirmed_ > 0) return gyro_ ? kUnconfirmedPause : kBlindUnconfirmedPause;
-  if (fit_.poor() && !gyro_) return kBlindPoorPause;
-  return fit_.poor() ? kPoorPause << std::min(fruitless_ / kCircles, kMostDoublings) : kSearchPause << std::min(fruitless_, kMostDoublings);
+  if (!fit_.poor()) return kSearchPause << std::min(fruitless_, kMostDoublings);
+  return gyro_ ? kPoorPause << std::min(fruitless_ / kCircles, kMostDoublings) : kBlindPoorPause;
 }
 
 void BayesLocator::Core::judge_rivals(const Record& record, const HintIntegrator::GaitEvidence& gait, const Shot& shot) {

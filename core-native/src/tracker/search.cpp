@@ -295,8 +295,8 @@ double Search::log_prior_of_heading(const Particle& p, const Building& building,
 double Search::log_prior(const Particle& p, const Building& building, double turned) const noexcept {
   const double level = domain_.levels != nullptr ? domain_.levels->log_probability(p.room) : 0.0;
   if (domain_.near_room == kNoRoom) return level;
-  const double facing = level + log_prior_of_heading(p, building, turned);
-  if (domain_.within) return facing;
+  const double level_and_heading = level + log_prior_of_heading(p, building, turned);
+  if (domain_.within) return level_and_heading;
   constexpr double kNearSigma = 2.0;
   constexpr double kNearShare = 0.9997;
   const Room& here = building.room(p.room);
@@ -306,7 +306,7 @@ double Search::log_prior(const Particle& p, const Building& building, double tur
     const double d2 = squared_norm(here.frame.transform(p.position) - near.frame.transform(domain_.near_position));
     nearness = area_ / (kTwoPi * kNearSigma * kNearSigma) * fast_exp(-0.5 * d2 / (kNearSigma * kNearSigma));
   }
-  return facing + fast_log(kNearShare * nearness + 1.0 - kNearShare);
+  return level_and_heading + fast_log(kNearShare * nearness + 1.0 - kNearShare);
 }
 
 double Search::turned_since(const SearchTools& tools) const noexcept {

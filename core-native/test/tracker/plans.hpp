@@ -23,6 +23,18 @@ inline Room room_from_outline(std::string id, std::vector<Vec2> outline) {
   return room;
 }
 
+/// Rooms one above the other, a level each, without walls.
+inline Building storeys(int count) {
+  Building b;
+  for (int level = 0; level < count; ++level) {
+    Room room;
+    room.id = std::to_string(level);
+    room.level = level;
+    b.rooms.push_back(room);
+  }
+  return b;
+}
+
 inline constexpr Vec2 kFarCorner{8.0, 3.0};
 
 /// A rectangle from the origin to kFarCorner: it looks the same both ways round.

@@ -4,17 +4,13 @@
 
 #include <array>
 
+#include "tracker/plans.hpp"
+
 namespace echoway::tracker {
 namespace {
 
 Building two_levels() {
-  Building b;
-  for (int level = 0; level < 2; ++level) {
-    Room room;
-    room.id = std::to_string(level);
-    room.level = level;
-    b.rooms.push_back(room);
-  }
+  Building b = test::storeys(2);
   b.links.push_back({LevelLinkKind::stairs, 0, {1.0, 1.0}, 1, {1.0, 1.0}});
   return b;
 }

@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "tracker/plans.hpp"
+
 namespace echoway::tracker {
 namespace {
 
@@ -11,13 +13,7 @@ constexpr double kSlot = 0.0624;
 
 // Three rooms above each other; at one place in the middle one stairs lead up and down.
 Building tower() {
-  Building b;
-  for (int level = 0; level < 3; ++level) {
-    Room room;
-    room.id = std::to_string(level);
-    room.level = level;
-    b.rooms.push_back(room);
-  }
+  Building b = test::storeys(3);
   b.links.push_back({LevelLinkKind::stairs, 0, {1.0, 1.0}, 1, {2.0, 2.0}});
   b.links.push_back({LevelLinkKind::stairs, 1, {2.0, 2.0}, 2, {3.0, 3.0}});
   return b;
