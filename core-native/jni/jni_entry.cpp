@@ -4,11 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 
 #include "echoway/building/loader.hpp"
+#include "echoway/io/logs.hpp"
 #include "echoway/session.hpp"
 #include "echoway/speech/speaker.hpp"
 #include "jni_text.hpp"
@@ -57,6 +59,13 @@ Start start_from(jint room, jdouble x, jdouble y, jdouble heading) {
   if (!std::isnan(x) && !std::isnan(y)) start.position = echoway::Vec2{x, y};
   if (!std::isnan(heading)) start.heading = heading;
   return start;
+}
+
+/// NaN for what is as on the usual belt.
+std::optional<double> known(jdouble value) { return std::isnan(value) ? std::nullopt : std::optional<double>(value); }
+
+echoway::BeltConfig belt_from(jint sensors, jdouble radius_m, jdouble beam_rad, jdouble slot_s) {
+  return echoway::BeltHeader{sensors, radius_m, known(beam_rad), known(slot_s), {}}.apply_to({});
 }
 
 /// Runs `input` on the session and writes the estimate it leaves behind. Returns what `input` does, or an error.
@@ -122,13 +131,14 @@ JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_plan(JNIEnv* env, jclass
 
 /// Handle of a new session, or 0 with error[0] set.
 JNIEXPORT jlong JNICALL Java_org_echoway_core_NativeCore_open(JNIEnv* env, jclass, jstring folder, jint sensors, jdouble radius_m,
-                                                              jint room, jdouble x, jdouble y, jdouble heading, jlong seed,
+                                                              jdouble beam_rad, jdouble slot_s, jdouble temperature_c, jint room,
+                                                              jdouble x, jdouble y, jdouble heading, jlong seed,
                                                               jobjectArray error) {
   return guarded(
       [&]() -> jlong {
         echoway::SessionConfig config;
-        config.belt.sensors = sensors;
-        config.belt.radius_m = radius_m;
+        config.belt = belt_from(sensors, radius_m, beam_rad, slot_s);
+        config.air_c = known(temperature_c);
         config.start = start_from(room, x, y, heading);
         config.seed = static_cast<std::uint64_t>(seed);
         auto session = Session::open(std::filesystem::path(echoway::jni::to_utf8(env, folder)), config);

@@ -49,6 +49,7 @@ class Monitor {
     while (line && !interrupted) {
       session_.on_belt_attached(now());
       listen(*line);
+      if (const std::optional<Error> other = other_belt()) return bad_input(*other);
       line.reset();
       session_.on_belt_detached(now());
       report_.update();
@@ -67,9 +68,18 @@ class Monitor {
       const SerialPort::Read read = line.read(buffer, kTickMs);
       if (read.outcome == SerialPort::Outcome::closed) return;
       if (read.count > 0) session_.on_bytes(std::span(buffer).first(read.count), now());
+      if (other_belt()) return;
       session_.on_tick(now());
       report_.update();
     }
+  }
+
+  /// Sensors of a belt that has more or fewer of them look elsewhere than is thought. What --sensors says holds.
+  [[nodiscard]] std::optional<Error> other_belt() const {
+    const int said = session_.belt_health().sensor_count;
+    const int thought = session_.config().belt.sensors;
+    if (options_.session.sensors || said == thought) return std::nullopt;
+    return Error{fmt::format("the belt says that it has {} sensors, not {}; give --sensors {}", said, thought, said), options_.port};
   }
 
   std::optional<SerialPort> wait_for_return() {

@@ -25,6 +25,7 @@ namespace echoway::tools {
 namespace {
 
 constexpr std::chrono::milliseconds kLinger{500};
+constexpr double kStatusPeriod = 1.0;  // Seconds of the log between the belt's words about itself.
 
 struct PlayOptions {
   std::string scans;
@@ -71,6 +72,13 @@ EncodedSentence to_sentence(std::uint16_t seq, const Firing& firing, double soun
   return encode(echo);
 }
 
+StatusSentence status_of(const BeltHeader& belt) {
+  StatusSentence status;
+  status.sensors = belt.apply_to({}).sensors;
+  if (belt.temperature_c) status.temperature_dc = static_cast<int>(std::lround(10.0 * *belt.temperature_c));
+  return status;
+}
+
 int play(const PlayOptions& options) {
   const Result<ScanLog> log = read_scan_log(options.scans);
   if (!log) return bad_input(log.error());
@@ -82,11 +90,17 @@ int play(const PlayOptions& options) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   const double first = log->firings.empty() ? 0.0 : log->firings.front().time_s;
-  const double sound_speed = speed_of_sound(log->belt.temperature_c.value_or(kReferenceCelsius));
+  const double sound_speed = speed_of_sound(BeltConfig{}.temperature_c);
+  const EncodedSentence status = encode(status_of(log->belt));
+  double status_due = first;
   std::uint16_t seq = 0;
   for (const Firing& firing : log->firings) {
     const std::chrono::duration<double> due{(firing.time_s - first) / options.speed};
     std::this_thread::sleep_until(begin + std::chrono::duration_cast<Clock::duration>(due));
+    if (firing.time_s >= status_due) {
+      terminal.send(status.text());
+      status_due += kStatusPeriod * (1.0 + std::floor((firing.time_s - status_due) / kStatusPeriod));
+    }
     if (!terminal.send(to_sentence(seq++, firing, sound_speed).text())) return bad_input({"nobody reads the terminal", terminal.name()});
   }
   // A listener that is still reading must not lose the end to the hang-up.

@@ -24,7 +24,7 @@ struct Options {
   std::string building;
   std::string walk;
   std::string out;
-  std::string profile = "furnished";
+  std::string profile;
   std::vector<std::string> world;
   std::optional<std::uint64_t> seed;
   std::string stands;
@@ -68,8 +68,9 @@ Status set_parameters(const Options& options, sim::World& world) {
   return success();
 }
 
-/// One of the three, says the option's check.
-sim::Profile profile_of(const Options& options) { return sim::profile_of(options.profile).value(); }
+sim::Profile profile_of(const Options& options) {
+  return sim::profile_of(options.profile).value_or(sim::Profile::furnished);
+}
 
 // A walk file names its building relative to itself.
 std::string building_of(const Options& options, const sim::Walk& walk) {
@@ -88,7 +89,7 @@ Result<sim::Walk> get_walk(const Options& options) {
     return sim::random_walk(*building, wanted, options.seed.value_or(1));
   }
   if (options.walk.empty()) return Error{"say which walk: --walk FILE, or --random SECONDS"};
-  return sim::read_walk(options.walk);
+  return sim::read_walk(options.walk, sim::profile_of(options.profile));
 }
 
 // One scan at each pose of a truth file.
@@ -139,19 +140,20 @@ void add_simulate(CLI::App& app, int& status) {
   auto* random = command->add_option("--random", options->random_s, "Instead of a walk file: a random walk of about so many seconds")
       ->check(decimal(1.0, 36000.0))
       ->excludes(walk);
-  command->add_option("--profile", options->profile, "Of a random walk or a scan")
-      ->check(CLI::IsMember({"empty", "furnished", "hard"}))
-      ->capture_default_str();
-  command->add_option("--at", options->stands, "Instead of a walk: one scan at each pose of this truth file")
+  command->add_option("--profile", options->profile, "How severe the world is (default: what the walk says, else furnished)")
+      ->check(CLI::IsMember({"empty", "furnished", "hard"}));
+  auto* at = command->add_option("--at", options->stands, "Instead of a walk: one scan at each pose of this truth file")
       ->check(not_empty())
       ->excludes(walk)
       ->excludes(random);
-  command->add_flag("--draw-world", options->draw_world, "For --at: draw the world's parameters from the seed");
+  command->add_flag("--draw-world", options->draw_world, "For --at: draw the world's parameters from the seed")->needs(at);
   command->add_option("--bearings", options->bearings, "For --at: the sensors' bearings, degrees (default: the belt's)")
       ->delimiter(',')
-      ->check(decimal(-36000.0, 36000.0));
+      ->check(decimal(-36000.0, 36000.0))
+      ->needs(at);
   command->add_option("--radius", options->radius_m, "For --at: from the axis to the transducers, metres")
-      ->check(decimal(0.0, 2.0));
+      ->check(decimal(0.0, 2.0))
+      ->needs(at);
   command->add_option("--world", options->world, "Change a parameter of the world: name=value (repeatable)")
       ->allow_extra_args(false);
   command->add_option("--seed", options->seed, "Instead of the walk's own")->check(whole(0));

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "report/following.hpp"
+
 namespace echoway::tools {
 namespace {
 
@@ -32,12 +34,6 @@ Placed interpolate(const TruthRow& before, const Placed& from, const TruthRow& a
 
 Error unknown_room(const std::string& log, const std::string& room) {
   return {log + " names room '" + room + "', which the building does not have"};
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace
@@ -75,7 +71,7 @@ Result<Score> score_track(const std::vector<TrackRow>& track, const std::vector<
   score.rows = errors.size();
   score.mean_error_m = std::accumulate(errors.begin(), errors.end(), 0.0) / n;
   score.worst_error_m = *std::max_element(errors.begin(), errors.end());
-  score.median_error_m = median(std::move(errors));
+  score.median_error_m = report::quantile(std::move(errors), 0.5);
   score.mean_heading_error_rad = heading_sum / n;
   score.right_room_share = static_cast<double>(right) / n;
   score.within_two_sigma_share = static_cast<double>(covered) / n;

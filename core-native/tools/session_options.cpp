@@ -2,31 +2,15 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
 #include <string_view>
-#include <vector>
 
 #include "echoway/text/number.hpp"
+#include "echoway/text/tokens.hpp"
 #include "option_checks.hpp"
 
 namespace echoway::tools {
 namespace {
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
-std::vector<std::string> split_at_commas(const std::string& text) {
-  std::vector<std::string> fields;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    fields.push_back(trimmed(text.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return fields;
-}
 
 Error bad_start(const std::string& text, const std::string& why) {
   return {fmt::format("--start {}: {}; give R,x_m,y_m,heading_deg, blank where unknown", text, why)};
@@ -69,6 +53,7 @@ BeltConfig SessionOptions::belt(const BeltHeader& header) const {
 Result<SessionConfig> SessionOptions::config(const Building& building_model, const BeltHeader& header) const {
   SessionConfig config;
   config.belt = belt(header);
+  config.air_c = header.temperature_c;
   config.method = method == "thesis" ? Method::thesis : Method::bayes;
   config.seed = seed;
   if (!start.empty()) {
@@ -90,17 +75,17 @@ SpeechStyle SessionOptions::speech_style() const {
 }
 
 Result<Start> parse_start(const std::string& text, const Building& building) {
-  const std::vector<std::string> fields = split_at_commas(text);
-  if (fields.size() > 4) return bad_start(text, "too many fields");
+  std::array<std::string_view, 4> fields;
+  const std::size_t count = text::split_at_commas(text, fields);
+  if (count > fields.size()) return bad_start(text, "too many fields");
   Start start;
-  const RoomIndex room = building.find_room(fields[0]);
-  if (room == kNoRoom) return bad_start(text, fmt::format("the building has no room '{}'", fields[0]));
-  start.room = room;
+  start.room = building.find_room(fields[0]);
+  if (*start.room == kNoRoom) return bad_start(text, fmt::format("the building has no room '{}'", fields[0]));
 
   std::array<std::optional<double>, 3> numbers;
-  for (std::size_t i = 1; i < fields.size(); ++i) {
+  for (std::size_t i = 1; i < count; ++i) {
     if (fields[i].empty()) continue;
-    numbers[i - 1] = echoway::text::parse_number(fields[i]);
+    numbers[i - 1] = text::parse_number(fields[i]);
     if (!numbers[i - 1]) return bad_start(text, fmt::format("'{}' is not a number", fields[i]));
   }
   if (numbers[0].has_value() != numbers[1].has_value()) return bad_start(text, "x and y belong together");

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ extern "C" {
 #define NATIVE(type, name) JNIEXPORT type JNICALL Java_org_echoway_core_NativeCore_##name
 NATIVE(jint, plan)(JNIEnv*, jclass, jstring, jobject, jobjectArray);
 NATIVE(jint, check)(JNIEnv*, jclass, jstring, jobject);
-NATIVE(jlong, open)(JNIEnv*, jclass, jstring, jint, jdouble, jint, jdouble, jdouble, jdouble, jlong, jobjectArray);
+NATIVE(jlong, open)(JNIEnv*, jclass, jstring, jint, jdouble, jdouble, jdouble, jdouble, jint, jdouble, jdouble, jdouble, jlong, jobjectArray);
 NATIVE(void, close)(JNIEnv*, jclass, jlong);
 NATIVE(jint, onBytes)(JNIEnv*, jclass, jlong, jobject, jint, jdouble, jobject);
 NATIVE(jint, onMotion)(JNIEnv*, jclass, jlong, jint, jdouble, jdouble, jobject);
@@ -178,7 +179,14 @@ class Caller {
     const jstring where = path();
     const Vec2 at = in_.byte() < 224 ? in_.spot() : Vec2{in_.number(), in_.number()};
     const double heading = in_.number();
-    const jlong handle = CALL(open, where, sensors, radius, room, at.x, at.y, heading, in_.word(), error);
+    const std::uint64_t seed = in_.word();
+    // Last, so that older inputs still mean what they did.
+    const double usual = std::numeric_limits<double>::quiet_NaN();
+    const bool other_belt = in_.byte() % 16 == 1;
+    const double beam = other_belt ? in_.number() : usual;
+    const double slot = other_belt ? in_.number() : usual;
+    const double temperature = other_belt ? in_.number() : usual;
+    const jlong handle = CALL(open, where, sensors, radius, beam, slot, temperature, room, at.x, at.y, heading, static_cast<jlong>(seed), error);
     if (handle == 0) return told(error);
     handles_.push_back(handle);
     return "";

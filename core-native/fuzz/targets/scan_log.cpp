@@ -10,7 +10,7 @@ namespace {
 std::string check_belt(const BeltHeader& header) {
   const BeltConfig belt = header.apply_to({});
   if (belt.sensors < 1 || belt.sensors > kMaxSensors) return "sensor count out of range";
-  for (const double value : {belt.radius_m, belt.beam_rad, belt.slot_s, belt.temperature_c}) {
+  for (const double value : {belt.radius_m, belt.beam_rad, belt.slot_s}) {
     if (!std::isfinite(value)) return "the belt's header is not finite";
   }
   return "";

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -29,6 +30,7 @@ struct SessionConfig {
   Method method = Method::bayes;
   Start start{};
   std::uint64_t seed = 1;
+  std::optional<double> air_c{};  ///< Temperature of the air, Celsius, until the belt's thermometer says another.
 };
 
 /// Everything the core does for one wearer in one building, behind one door: JNI, the command line and the tests all
@@ -42,7 +44,7 @@ struct SessionConfig {
 class Session {
  public:
   /// Fails when the building is unusable or the configuration makes no sense (sensor count outside 1 ... kMaxSensors,
-  /// negative radius, start room that does not exist, anything not finite).
+  /// negative radius, start room that does not exist, air below absolute zero, anything not finite).
   static Result<std::unique_ptr<Session>> open(const std::filesystem::path& building_dir, const SessionConfig& config);
   static Result<std::unique_ptr<Session>> open(Building building, const SessionConfig& config);
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "building/source.hpp"
-#include "text/tokens.hpp"
+#include "echoway/text/tokens.hpp"
 
 namespace echoway {
 

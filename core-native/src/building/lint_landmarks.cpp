@@ -37,6 +37,7 @@ class LandmarkLint {
     for (const auto& link : config_.links) {
       lint_place(link.what.a, link.line, "the way up or down");
       lint_place(link.what.b, link.line, "the way up or down");
+      lint_levels_joined(link);
     }
     for (const auto& exit : config_.exits) lint_place(exit.what.where, exit.line, "the exit");
     std::set<std::string> names;
@@ -87,6 +88,19 @@ class LandmarkLint {
     warn(Kind::off_floor, line,
          what + " at " + phrases_.point(place.at) + " lies outside the floor of room '" + place.room + "', " +
              phrases_.length(nearest) + " from its walls; correct its position");
+  }
+
+  void lint_levels_joined(const Located<LinkSource>& link) {
+    const auto a = rooms_.find(link.what.a.room);
+    const auto b = rooms_.find(link.what.b.room);
+    if (a == rooms_.end() || b == rooms_.end()) return;
+    const int level = building_.rooms[a->second].level;
+    if (building_.rooms[b->second].level != level) return;
+    const bool stairs = link.what.kind == LevelLinkKind::stairs;
+    warn(Kind::link_levels, link.line,
+         (stairs ? "the stairs join" : "the elevator joins") + (" rooms '" + link.what.a.room) + "' and '" +
+             link.what.b.room + "', both on level " + std::to_string(level) +
+             "; correct the rooms' levels, or write a door");
   }
 
   const Assembly& assembly_;

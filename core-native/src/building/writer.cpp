@@ -10,7 +10,7 @@
 #include "building/source.hpp"
 #include "echoway/io/atomic_file.hpp"
 #include "text/format.hpp"
-#include "text/tokens.hpp"
+#include "echoway/text/tokens.hpp"
 
 namespace echoway {
 namespace {

@@ -5,22 +5,10 @@
 
 #include "text/format.hpp"
 #include "echoway/text/number.hpp"
-#include "text/tokens.hpp"
+#include "echoway/text/tokens.hpp"
 
 namespace echoway::csv {
 namespace {
-
-/// Splits at commas into `fields`; the number of fields that the line has, which may be more than fit.
-std::size_t split(std::string_view line, std::span<std::string_view> fields) {
-  std::size_t count = 0;
-  while (true) {
-    const std::size_t comma = line.find(',');
-    if (count < fields.size()) fields[count] = text::trim(line.substr(0, comma));
-    ++count;
-    if (comma == std::string_view::npos) return count;
-    line.remove_prefix(comma + 1);
-  }
-}
 
 std::string join(std::span<const std::string_view> columns) {
   std::string out;
@@ -68,7 +56,7 @@ Status read(const std::filesystem::path& file, std::span<const std::string_view>
       if (problem) return reader.error_here(*problem);
       continue;
     }
-    const std::size_t count = split(line, fields);
+    const std::size_t count = text::split_at_commas(line, fields);
     if (width == 0) {
       if (!starts_with_columns({fields.data(), std::min(count, kMaxColumns)}, columns) || count > kMaxColumns) {
         return reader.error_here("the header line must be '" + join(columns) + "'");

@@ -8,7 +8,7 @@
 #include "io/csv.hpp"
 #include "io/log_columns.hpp"
 #include "echoway/text/number.hpp"
-#include "text/tokens.hpp"
+#include "echoway/text/tokens.hpp"
 #include "text/utf8.hpp"
 
 namespace echoway {
@@ -186,7 +186,6 @@ BeltConfig BeltHeader::apply_to(BeltConfig defaults) const noexcept {
   if (radius_m) defaults.radius_m = *radius_m;
   if (beam_rad) defaults.beam_rad = *beam_rad;
   if (slot_s) defaults.slot_s = *slot_s;
-  if (temperature_c) defaults.temperature_c = *temperature_c;
   return defaults;
 }
 

@@ -45,6 +45,7 @@ Status check_start(const Start& start, const Building& building) {
 
 Status check_config(const SessionConfig& config, const Building& building) {
   if (building.rooms.empty()) return Error{"the building has no rooms"};
+  if (config.air_c && !(*config.air_c > -273.15 && std::isfinite(*config.air_c))) return Error{"the air's temperature is none"};
   if (Status belt = check_belt(config.belt); !belt) return belt;
   return check_start(config.start, building);
 }
@@ -53,6 +54,12 @@ GuideConfig guide_config(const BeltConfig& belt) {
   GuideConfig config;
   config.belt = belt;
   return config;
+}
+
+Result<std::unique_ptr<Locator>> begin_to_locate(const Building& building, const SessionConfig& config) {
+  Result<std::unique_ptr<Locator>> locator = make_locator(building, config);
+  if (locator && config.air_c) (*locator)->on_temperature(*config.air_c);
+  return locator;
 }
 
 }  // namespace
@@ -99,7 +106,9 @@ struct Session::Impl {
   void take(const FaultSentence& fault) { monitor.on_fault(fault.sensor, fault.code, arrival); }
   void take(const StatusSentence& status) {
     monitor.on_status(status.sensors, status.firmware_name(), status.temperature_c(), status.battery_v(), arrival);
-    if (const auto celsius = status.temperature_c()) locator->on_temperature(*celsius);
+    if (!status.temperature_c()) return;
+    config.air_c = status.temperature_c();
+    locator->on_temperature(*config.air_c);
   }
 
   void take_numbered(std::uint16_t seq, int sensor, double range) {
@@ -146,7 +155,7 @@ Result<std::unique_ptr<Session>> Session::open(const std::filesystem::path& buil
 Result<std::unique_ptr<Session>> Session::open(Building building, const SessionConfig& config) {
   if (const Status good = check_config(config, building); !good) return good.error();
   auto impl = std::make_unique<Impl>(std::move(building), config);
-  Result<std::unique_ptr<Locator>> locator = make_locator(impl->building, config);
+  Result<std::unique_ptr<Locator>> locator = begin_to_locate(impl->building, config);
   if (!locator) return locator.error();
   impl->locator = std::move(*locator);
   return std::unique_ptr<Session>(new Session(std::move(impl)));
@@ -187,7 +196,7 @@ Status Session::restart(const Start& start) {
   if (Status good = check_start(start, impl_->building); !good) return good;
   SessionConfig config = impl_->config;
   config.start = start;
-  Result<std::unique_ptr<Locator>> locator = make_locator(impl_->building, config);
+  Result<std::unique_ptr<Locator>> locator = begin_to_locate(impl_->building, config);
   if (!locator) return locator.error();
   impl_->config = config;
   impl_->locator = std::move(*locator);

@@ -1,4 +1,4 @@
-#include "text/tokens.hpp"
+#include "echoway/text/tokens.hpp"
 
 namespace echoway::text {
 namespace {
@@ -52,6 +52,17 @@ std::string_view trim(std::string_view s) noexcept {
   while (!s.empty() && is_blank(s.front())) s.remove_prefix(1);
   while (!s.empty() && is_blank(s.back())) s.remove_suffix(1);
   return s;
+}
+
+std::size_t split_at_commas(std::string_view line, std::span<std::string_view> fields) noexcept {
+  std::size_t count = 0;
+  while (true) {
+    const std::size_t comma = line.find(',');
+    if (count < fields.size()) fields[count] = trim(line.substr(0, comma));
+    ++count;
+    if (comma == std::string_view::npos) return count;
+    line.remove_prefix(comma + 1);
+  }
 }
 
 }  // namespace echoway::text

@@ -67,6 +67,28 @@ TEST(CommandLine, AWalkAndARandomWalkExcludeEachOther) {
   expect_refused({"simulate", "--building", kLab, "--walk", kWalk, "--random", "5", "--out", "x"}, "excludes");
 }
 
+TEST(CommandLine, WhatOnlyAScanHasIsRefusedBesideAWalk) {
+  for (const Arguments& more : {Arguments{"--bearings", "0,90"}, {"--radius", "0.2"}, {"--draw-world"}}) {
+    Arguments arguments{"simulate", "--walk", kWalk, "--out", "x"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    expect_refused(arguments, "--at");
+  }
+}
+
+TEST(CommandLine, AProfileTakesThePlaceOfTheWalksOwn) {
+  const TemporaryFolder folder;
+  const std::string walk = folder.write("w.walk", "profile hard\nstart 4 1 1 0\npause 2\n").string();
+  const auto scans = [&](const Arguments& more, const std::string& name) {
+    Arguments arguments{"simulate", "--building", kLab, "--walk", walk, "--out", (folder.path() / name).string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(run_echoway(arguments).status, 0);
+    return test::read_file((folder.path() / name).string() + ".scans.csv");
+  };
+  const std::string hard = scans({}, "own");
+  EXPECT_EQ(scans({"--profile", "hard"}, "same"), hard);
+  EXPECT_NE(scans({"--profile", "empty"}, "other"), hard);
+}
+
 TEST(CommandLine, SimulateLeavesNoPieceOfAFileThatItCannotWrite) {
   const TemporaryFolder folder;
   const std::filesystem::path prefix = folder.path() / "walk";

@@ -127,8 +127,9 @@ TEST_F(Locate, NoOutputTakesThePlaceOfAnotherFile) {
 TEST_F(Locate, BlanksAroundTheFieldsOfAStartMeanNothing) {
   std::string spaced = start_;
   for (std::size_t comma = spaced.find(','); comma != std::string::npos; comma = spaced.find(',', comma + 2)) {
-    spaced.insert(comma + 1, " ");
+    spaced.insert(comma + 1, " \t");
   }
+  spaced.insert(0, "\t ");
   ASSERT_EQ(locate({"--start", start_}).status, 0);
   const std::string track = test::read_file(track_);
   ASSERT_EQ(locate({"--start", spaced}).status, 0);

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <string>
 
+#include "echoway/io/logs.hpp"
 #include "support/process.hpp"
 
 namespace echoway {
@@ -36,12 +36,27 @@ TEST(Monitor, FollowsABeltOnAPseudoTerminalFromConnectionToLoss) {
   EXPECT_EQ(heard.find("Belt connected.\n"), 0U) << heard;
   EXPECT_NE(heard.find("room " + room), std::string::npos) << heard;
   EXPECT_NE(heard.find("Belt disconnected.\n"), std::string::npos) << heard;
-  const std::string scans = test::read_file(prefix + ".scans.csv");
-  const auto firings = std::count_if(scans.begin() + static_cast<std::ptrdiff_t>(scans.find("time_s")), scans.end(),
-                                     [](char c) { return c == '\n'; }) - 1;
-  EXPECT_NE(heard.find(std::to_string(firings) + " sentences; dropped 0 with a bad checksum, 0 malformed; 0 firings lost\n"),
+  const auto log = read_scan_log(prefix + ".scans.csv");
+  ASSERT_TRUE(log.ok());
+  // Each firing, and what the belt says of itself once a second.
+  const auto sentences = log->firings.size() + static_cast<std::size_t>(log->firings.back().time_s - log->firings.front().time_s) + 1;
+  EXPECT_NE(heard.find(std::to_string(sentences) + " sentences; dropped 0 with a bad checksum, 0 malformed; 0 firings lost\n"),
             std::string::npos)
       << heard;
+}
+
+TEST(Monitor, RefusesABeltOfAnotherNumberOfSensorsThanIsThought) {
+  const TemporaryFolder folder;
+  const std::string log = folder.write("log.csv", "# sensors 4\ntime_s,sensor,range_m\n0,0,1.5\n0.1,1,1.5\n0.2,2,1.5\n").string();
+  BackgroundEchoway belt({"play", "--scans", log});
+  const auto refused = run_echoway({"monitor", "--building", kLab, "--port", belt.read_line()});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("the belt says that it has 4 sensors, not 15; give --sensors 4"), std::string::npos) << refused.err;
+
+  BackgroundEchoway again({"play", "--scans", log});
+  const auto followed = run_echoway({"monitor", "--building", kLab, "--port", again.read_line(), "--sensors", "4"});
+  EXPECT_EQ(followed.status, 0) << followed.err;
+  EXPECT_NE(followed.out.find("4 sentences; dropped 0"), std::string::npos) << followed.out;
 }
 
 TEST(Monitor, SaysWhatIsWrongWithAPort) {

@@ -39,6 +39,8 @@ TEST(Session, RefusesConfigurationsThatMakeNoSense) {
   EXPECT_TRUE(refuses([&](SessionConfig& c) { c.belt.beam_rad = nan; }));
   EXPECT_TRUE(refuses([](SessionConfig& c) { c.belt.slot_s = 0.0; }));
   EXPECT_TRUE(refuses([](SessionConfig& c) { c.belt.max_range_m = c.belt.min_range_m; }));
+  EXPECT_TRUE(refuses([](SessionConfig& c) { c.air_c = -300.0; }));
+  EXPECT_TRUE(refuses([&](SessionConfig& c) { c.air_c = nan; }));
   EXPECT_TRUE(refuses([](SessionConfig& c) { c.start.room = 7; }));
   EXPECT_TRUE(refuses([](SessionConfig& c) { c.start.position = Vec2{1, 1}; }));
   EXPECT_TRUE(refuses([&](SessionConfig& c) { c.start = {0, Vec2{nan, 1}, std::nullopt}; }));
@@ -79,6 +81,25 @@ TEST(Session, DamagedBytesAreCountedAndTheBeltsSilenceIsNoticed) {
   EXPECT_EQ(session->belt_health().lost_firings, 1U);
   session->on_tick(3.0);
   EXPECT_EQ(session->belt_health().link, BeltLink::lost);
+}
+
+TEST(Session, TheAirsTemperatureIsWorthWhatTheBeltsThermometerSays) {
+  const Start start{0, Vec2{2.0, 2.0}, 0.5};
+  const auto told = open_sample({.start = start, .air_c = 35.0});
+  const auto hears = open_sample({.start = start});
+  const auto neither = open_sample({.start = start});
+  hears->on_bytes(as_bytes(encode(StatusSentence{.temperature_dc = 350}).text()), 0.0);
+  for (int i = 0; i < 90; ++i) {
+    for (Session* session : {told.get(), hears.get(), neither.get()}) session->on_firing({kSlot * i, i % 15, 1.5 + 0.1 * (i % 7)});
+  }
+  EXPECT_EQ(told->estimate().pose.position.x, hears->estimate().pose.position.x);
+  EXPECT_NE(told->estimate().pose.position.x, neither->estimate().pose.position.x);
+  ASSERT_TRUE(hears->restart(start).ok());
+  ASSERT_TRUE(told->restart(start).ok());
+  for (int i = 90; i < 180; ++i) {
+    for (Session* session : {told.get(), hears.get()}) session->on_firing({kSlot * i, i % 15, 1.5 + 0.1 * (i % 7)});
+  }
+  EXPECT_EQ(told->estimate().pose.position.x, hears->estimate().pose.position.x);
 }
 
 TEST(Session, KeepsItsEstimateWhenTheBeltComesAndGoes) {

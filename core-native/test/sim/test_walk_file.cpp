@@ -141,6 +141,16 @@ TEST(WalkFile, AFileThatIsNotThereIsAnErrorWithItsName) {
   EXPECT_THAT(walk.error().to_string(), testing::StartsWith("no/such.walk: "));
 }
 
+TEST(WalkFile, AnotherProfileTakesThePlaceOfTheNamedOneButNotOfWorldLines) {
+  const test::TempDir folder;
+  const auto file = folder.write("w.walk", "profile furnished\nworld dropout 0.2\nstart 1 6 5 90\n");
+  const Result<Walk> walk = read_walk(file, Profile::hard);
+  ASSERT_TRUE(walk.ok()) << walk.error().to_string();
+  EXPECT_EQ(walk->world.people_per_100m2, make_world(Profile::hard).people_per_100m2);
+  EXPECT_EQ(walk->world.dropout, 0.2);
+  EXPECT_EQ(read_walk(folder.write("p.walk", "profile posh\nstart 1 6 5 90\n"), Profile::hard).error().line, 1);
+}
+
 TEST(WalkFile, AFileMayComeFromAnySystemButMustBeText) {
   const test::TempDir folder;
   const auto read = [&](const std::string& text) { return read_walk(folder.write("w.walk", text)); };

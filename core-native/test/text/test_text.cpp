@@ -8,7 +8,7 @@
 #include "text/format.hpp"
 #include "echoway/text/line_reader.hpp"
 #include "echoway/text/number.hpp"
-#include "text/tokens.hpp"
+#include "echoway/text/tokens.hpp"
 #include "text/utf8.hpp"
 
 namespace echoway::text {

@@ -36,6 +36,7 @@ struct Finding {
     door_lines,      ///< The lines about a door disagree, or one is missing.
     door_width,      ///< A door's width is impossible.
     door_levels,     ///< A door joins two levels.
+    link_levels,     ///< Stairs or an elevator within one level.
     door_loop,       ///< The way round through other rooms does not meet itself at a door.
     unreachable,     ///< Nothing leads to a room.
     no_place,        ///< A room's place on its level is not known.

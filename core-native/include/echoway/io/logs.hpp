@@ -21,9 +21,9 @@ struct BeltHeader {
   std::optional<double> radius_m;
   std::optional<double> beam_rad;
   std::optional<double> slot_s;
-  std::optional<double> temperature_c;
+  std::optional<double> temperature_c;  ///< Of the air, not that with which the belt computed: SessionConfig::air_c.
 
-  /// `defaults` with everything that is set here put in its place.
+  /// `defaults` with everything about the belt itself that is set here put in its place.
   [[nodiscard]] BeltConfig apply_to(BeltConfig defaults) const noexcept;
 };
 

@@ -14,7 +14,10 @@ constexpr double kLongest = 10800.0;  // Seconds.
 
 class Parser {
  public:
-  explicit Parser(const std::string& file) { walk_.file = file; }
+  Parser(const std::string& file, std::optional<Profile> profile) : profile_(profile) {
+    walk_.file = file;
+    if (profile_) walk_.world = make_world(*profile_);
+  }
 
   Status line(std::string_view text, int number) {
     line_ = number;
@@ -83,7 +86,7 @@ class Parser {
     const std::optional<Profile> profile = profile_of(name);
     if (!profile) return words.error("a profile is empty, furnished or hard, not `" + name + "`");
     if (world_touched_) return words.error("`profile` must come before the first `world` line, which it would undo");
-    walk_.world = make_world(*profile);
+    if (!profile_) walk_.world = make_world(*profile);
     return success();
   }
 
@@ -228,6 +231,7 @@ class Parser {
   }
 
   static constexpr double kDegree = kPi / 180.0;
+  std::optional<Profile> profile_;  // Instead of the one that the file names.
   Walk walk_;
   double unit_ = 1.0;
   int line_ = 0;
@@ -238,7 +242,7 @@ class Parser {
 }  // namespace
 
 Result<Walk> parse_walk(std::string_view text, const std::string& file) {
-  Parser parser(file);
+  Parser parser(file, std::nullopt);
   int number = 0;
   while (!text.empty()) {
     const std::size_t end = text.find('\n');
@@ -248,11 +252,11 @@ Result<Walk> parse_walk(std::string_view text, const std::string& file) {
   return parser.finish();
 }
 
-Result<Walk> read_walk(const std::filesystem::path& file) {
+Result<Walk> read_walk(const std::filesystem::path& file, std::optional<Profile> profile) {
   Result<text::LineReader> opened = text::LineReader::open(file);
   if (!opened) return opened.error();
   text::LineReader reader = std::move(opened).value();
-  Parser parser(file.string());
+  Parser parser(file.string(), profile);
   while (const std::optional<std::string_view> line = reader.next()) {
     if (Status status = parser.line(*line, reader.line()); !status) return status.error();
   }

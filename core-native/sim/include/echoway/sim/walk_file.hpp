@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -9,8 +10,9 @@
 
 namespace echoway::sim {
 
-/// Reads a walk file (docs/walk-files.md). Fails with file:line of the first line that makes no sense.
-Result<Walk> read_walk(const std::filesystem::path& file);
+/// Reads a walk file (docs/walk-files.md); a `profile` given here takes the place of the one that the file names, whose
+/// `world` lines change it all the same. Fails with file:line of the first line that makes no sense.
+Result<Walk> read_walk(const std::filesystem::path& file, std::optional<Profile> profile = std::nullopt);
 
 /// The same from text; `file` is only named in errors.
 Result<Walk> parse_walk(std::string_view text, const std::string& file);

@@ -6,8 +6,20 @@ import java.nio.ByteBuffer
 import java.util.concurrent.atomic.AtomicLong
 import kotlin.math.abs
 
-/** The belt as it is configured. Defaults: the prototype with fifteen sensors, 0.15 m around the wearer's axis. */
-data class BeltSetup(val sensors: Int = 15, val radiusM: Double = 0.15)
+/**
+ * The belt as it is configured. Defaults: the prototype with fifteen sensors, 0.15 m around the wearer's axis.
+ *
+ * @property beamRad full angle within which a plane wall answers
+ * @property slotS time between two firings
+ * @property temperatureC of the air at the start
+ */
+data class BeltSetup(
+    val sensors: Int = 15,
+    val radiusM: Double = 0.15,
+    val beamRad: Double? = null,
+    val slotS: Double? = null,
+    val temperatureC: Double? = null,
+)
 
 /**
  * What is known of the wearer's pose at the start.
@@ -93,7 +105,9 @@ class CoreSession private constructor(handle: Long) : Closeable {
 
     /** Forgets where the wearer is and has been, and starts over; a destination is kept, a way back ends. */
     fun restart(start: Start) {
-        wish { error -> NativeCore.restart(open(), start.room, start.x, start.y, start.turn, estimateBuffer, error) }
+        wish { error ->
+            NativeCore.restart(open(), start.room, start.at?.x.orNaN, start.at?.y.orNaN, start.heading.orNaN, estimateBuffer, error)
+        }
     }
 
     /**
@@ -185,8 +199,20 @@ class CoreSession private constructor(handle: Long) : Closeable {
         /** @throws CoreException when the building is unusable or the start does not exist in it */
         fun open(building: File, nowS: Double, start: Start = Start(), belt: BeltSetup = BeltSetup(), seed: Long = 1): CoreSession {
             val error = arrayOfNulls<String>(1)
-            val handle =
-                NativeCore.open(building.path, belt.sensors, belt.radiusM, start.room, start.x, start.y, start.turn, seed, error)
+            val handle = NativeCore.open(
+                building.path,
+                belt.sensors,
+                belt.radiusM,
+                belt.beamRad.orNaN,
+                belt.slotS.orNaN,
+                belt.temperatureC.orNaN,
+                start.room,
+                start.at?.x.orNaN,
+                start.at?.y.orNaN,
+                start.heading.orNaN,
+                seed,
+                error,
+            )
             if (handle == 0L) throw CoreException(error[0] ?: "The building could not be opened.")
             val session = CoreSession(handle)
             session.onTick(nowS) // fills the estimate
@@ -195,6 +221,5 @@ class CoreSession private constructor(handle: Long) : Closeable {
     }
 }
 
-private val Start.x get() = at?.x ?: Double.NaN
-private val Start.y get() = at?.y ?: Double.NaN
-private val Start.turn get() = heading ?: Double.NaN
+/** How the core hears of what is not known. */
+private val Double?.orNaN get() = this ?: Double.NaN

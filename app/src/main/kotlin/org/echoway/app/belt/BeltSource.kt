@@ -1,6 +1,8 @@
 package org.echoway.app.belt
 
+import java.io.IOException
 import kotlinx.coroutines.flow.Flow
+import org.echoway.core.BeltSetup
 import org.echoway.core.MotionHint
 
 /** What a belt source tells. Whoever hears it cannot tell which source it comes from. */
@@ -31,6 +33,13 @@ sealed interface BeltEvent {
 interface BeltSource {
     /** Cold: collecting opens the line, and cancelling closes it. */
     val events: Flow<BeltEvent>
+
+    /**
+     * What belt it is.
+     *
+     * @throws IOException when a recording cannot be read
+     */
+    suspend fun setup(): BeltSetup = BeltSetup()
 
     /** Whether [events] brings motion hints of its own, so that the phone's sensors must stay out. */
     val bringsMotion: Boolean

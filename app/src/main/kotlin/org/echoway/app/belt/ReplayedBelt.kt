@@ -9,13 +9,17 @@ import org.echoway.app.Clock
 /**
  * Plays a recorded walk as if its belt were on the line now: the same sentences, at the same pace.
  *
- * @param load reads the log when playing starts
+ * @param load reads the log, once, when something is first asked of it
  */
 class ReplayedBelt(private val clock: Clock, private val load: suspend () -> WalkLog) : BeltSource {
+    private var loaded: WalkLog? = null
+
     override val bringsMotion = true
 
+    override suspend fun setup() = log().belt
+
     override val events: Flow<BeltEvent> = flow {
-        val log = load()
+        val log = log()
         val startS = clock.nowS() - firstTime(log)
         emit(BeltEvent.Attached)
         var sequence = 0
@@ -30,13 +34,15 @@ class ReplayedBelt(private val clock: Clock, private val load: suspend () -> Wal
             }
             waitUntil(startS + firing.timeS)
             if (firing.timeS >= statusDueS) {
-                emit(BeltEvent.Bytes(WireSentence.status(log.sensors, "replay"), startS + firing.timeS))
+                emit(BeltEvent.Bytes(WireSentence.status(log.belt.sensors, "replay"), startS + firing.timeS))
                 statusDueS = firing.timeS + STATUS_PERIOD_S
             }
             emit(BeltEvent.Bytes(WireSentence.range(sequence++, firing.sensor, firing.rangeM), startS + firing.timeS))
         }
         emit(BeltEvent.Ended)
     }
+
+    private suspend fun log() = loaded ?: load().also { loaded = it }
 
     /** What happens between the firings, in order of time; where the wearer stands before how they move from there. */
     private fun between(log: WalkLog, startS: Double): List<Pair<Double, BeltEvent>> {

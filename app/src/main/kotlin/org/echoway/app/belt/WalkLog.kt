@@ -2,6 +2,7 @@ package org.echoway.app.belt
 
 import java.io.BufferedReader
 import java.io.IOException
+import org.echoway.core.BeltSetup
 import org.echoway.core.MotionHint
 import org.echoway.core.MotionKind
 import org.echoway.core.Plan
@@ -20,39 +21,55 @@ data class LoggedRestart(val timeS: Double, val room: String?, val at: Point?, v
     }
 }
 
-/** A recorded walk: firings, motion hints and restarts, each in order of time. */
+/** A recorded walk: its belt, and firings, motion hints and restarts, each in order of time. */
 data class WalkLog(
-    val sensors: Int,
+    val belt: BeltSetup,
     val firings: List<LoggedFiring>,
     val hints: List<MotionHint>,
     val restarts: List<LoggedRestart> = emptyList(),
 ) {
     companion object {
-        const val DEFAULT_SENSORS = 15
-
         /**
          * A last line without its end was torn off by a crash: a number in it may lack digits. It is left out.
          *
          * @throws IOException with the line's number when a line is not what the format says
          */
         fun read(scans: BufferedReader, motion: BufferedReader? = null): WalkLog {
-            var sensors = DEFAULT_SENSORS
+            var belt = BeltSetup()
             val restarts = mutableListOf<LoggedRestart>()
-            val firings = rows(scans, onComment = { comment ->
-                Regex("sensors (\\d+)").matchEntire(comment)?.let { sensors = it.groupValues[1].toInt() }
+            val firings = rows(scans, onComment = { comment, beforeHeader ->
+                if (beforeHeader) belt = withComment(belt, comment)
                 restart(comment)?.let(restarts::add)
             }) { (time, sensor, range) ->
                 LoggedFiring(number(time), sensor.toInt(), range.ifEmpty { null }?.let(::length))
             }
             if (firings.isEmpty()) throw IOException("the log holds no firing")
-            if (firings.any { it.sensor !in 0 until sensors }) throw IOException("the log names a sensor that its belt does not have")
+            if (firings.any { it.sensor !in 0 until belt.sensors }) throw IOException("the log names a sensor that its belt does not have")
             val hints = motion?.let { reader -> rows(reader) { (time, kind, value) -> hint(number(time), kind, number(value)) } }
-            return WalkLog(sensors, firings, hints.orEmpty(), restarts)
+            return WalkLog(belt, firings, hints.orEmpty(), restarts)
         }
+
+        /** `key value` says what belt it was, as docs/formats.md has it; any other comment is prose. */
+        private fun withComment(belt: BeltSetup, comment: String): BeltSetup {
+            val (key, word) = words(comment).takeIf { it.size == 2 } ?: return belt
+            fun value(range: ClosedFloatingPointRange<Double>, unit: Double = 0.0) = number(word).also {
+                if (it !in range || unit > 0.0 && it % unit != 0.0) throw NumberFormatException("$word is no sensible value for $key")
+            }
+            return when (key) {
+                "sensors" -> belt.copy(sensors = value(1.0..MAX_SENSORS, unit = 1.0).toInt())
+                "radius_m" -> belt.copy(radiusM = value(0.0..2.0))
+                "beam_deg" -> belt.copy(beamRad = Math.toRadians(value(0.01..360.0)))
+                "slot_s" -> belt.copy(slotS = value(1e-6..60.0))
+                "temperature_c" -> belt.copy(temperatureC = value(-60.0..100.0))
+                else -> belt
+            }
+        }
+
+        private fun words(comment: String) = comment.split(' ', '\t').filter { it.isNotEmpty() }
 
         /** `restart time_s room x_m y_m heading_deg`, a `-` where something was not said; any other comment is prose. */
         private fun restart(comment: String): LoggedRestart? {
-            val words = comment.split(' ').filter { it.isNotEmpty() }
+            val words = words(comment)
             if (words.size != RESTART_WORDS || words[0] != "restart") return null
             val (x, y, heading) = words.drop(3).map { word -> if (word == "-") null else number(word) }
             val at = if (x != null && y != null) Point(x, y) else null
@@ -66,13 +83,13 @@ data class WalkLog(
             else -> throw NumberFormatException("unknown kind $kind")
         }
 
-        private fun <T> rows(reader: BufferedReader, onComment: (String) -> Unit = {}, row: (List<String>) -> T): List<T> {
+        private fun <T> rows(reader: BufferedReader, onComment: (String, Boolean) -> Unit = { _, _ -> }, row: (List<String>) -> T): List<T> {
             val rows = mutableListOf<T>()
             var header = true
             reader.use { it.readText() }.wholeLines().let { lines ->
                 lines.forEachIndexed { index, line ->
                     when {
-                        line.startsWith("#") -> numbered(index + 1, line) { onComment(line.drop(1).trim()) }
+                        line.startsWith("#") -> numbered(index + 1, line) { onComment(line.drop(1).trim(), header) }
                         line.isBlank() -> Unit
                         header -> header = false
                         else -> rows += parsed(index + 1, line, row)
@@ -106,5 +123,6 @@ data class WalkLog(
         private val DECIMAL = Regex("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?")
         private const val COLUMNS = 3
         private const val RESTART_WORDS = 6
+        private const val MAX_SENSORS = 64.0
     }
 }

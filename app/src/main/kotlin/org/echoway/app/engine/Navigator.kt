@@ -1,5 +1,6 @@
 package org.echoway.app.engine
 
+import java.io.Closeable
 import java.io.IOException
 import kotlin.math.abs
 import kotlinx.coroutines.CoroutineDispatcher
@@ -24,6 +25,7 @@ import org.echoway.app.belt.BeltSource
 import org.echoway.app.belt.LoggedRestart
 import org.echoway.app.building.InstalledBuilding
 import org.echoway.app.motion.MotionSource
+import org.echoway.core.BeltSetup
 import org.echoway.core.CoreException
 import org.echoway.core.CoreSession
 import org.echoway.core.MotionHint
@@ -70,8 +72,11 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
     ) = withContext(thread) {
         forgetWishes()
         try {
-            CoreSession.open(building.folder, clock.nowS(), start).use { session -> Run(building, session, witness).run(source, motion) }
+            Run(building, start, source.setup(), witness).use { it.run(source, motion) }
         } catch (e: CoreException) {
+            published.value = NavigationState.Failed(e.message.orEmpty())
+        } catch (e: IOException) {
+            // A recording that cannot be read. To end without a word would leave the wearer with silence.
             published.value = NavigationState.Failed(e.message.orEmpty())
         } finally {
             if (published.value is NavigationState.Running) published.value = NavigationState.Idle
@@ -83,7 +88,14 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
         while (wishes.tryReceive().isSuccess) Unit
     }
 
-    private inner class Run(private val building: InstalledBuilding, private val session: CoreSession, private val witness: Witness?) {
+    private inner class Run(
+        private val building: InstalledBuilding,
+        private val start: Start,
+        private var belt: BeltSetup,
+        private val witness: Witness?,
+    ) : Closeable {
+        private var session = CoreSession.open(building.folder, clock.nowS(), start, belt)
+        private val openedS = clock.nowS()
         private var line = Line.WAITING
         private var health = session.beltHealth
         private var leading: Wish? = null
@@ -94,13 +106,7 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
             launch { tick() }
             launch { for (wish in wishes) grant(wish) }
             if (!source.bringsMotion) launch { feedMotion(motion.hints()) }
-            try {
-                source.events.collect(::onEvent)
-            } catch (e: IOException) {
-                // A recording that cannot be read. Ending the collection would leave the wearer with silence.
-                published.value = NavigationState.Failed(e.message.orEmpty())
-                throw CoreException(e.message.orEmpty())
-            }
+            source.events.collect(::onEvent)
         }
 
         private suspend fun CoroutineScope.tick() {
@@ -198,7 +204,18 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
 
         private fun refreshHealth() {
             health = session.beltHealth
+            if (health.sensors.size != belt.sensors) wear(belt.copy(sensors = health.sensors.size))
         }
+
+        /** The belt says that it has another number of sensors: so far they were thought to look where they do not. */
+        private fun wear(other: BeltSetup) {
+            session.close()
+            belt = other
+            session = CoreSession.open(building.folder, clock.nowS(), if (clock.nowS() - openedS < STILL_THERE_S) start else Start(), belt)
+            (leading as? Wish.LeadTo)?.let(::grant)
+        }
+
+        override fun close() = session.close()
 
         private fun publish() {
             val estimate = session.estimate
@@ -215,6 +232,9 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
 
         /** Estimates of somebody who stands move a little less. */
         const val WALKING_MPS = 0.3
+
+        /** Whoever began guidance so short a time ago is still near where they began. */
+        const val STILL_THERE_S = 5.0
         const val EVENTS_IN_FLIGHT = 64
         const val WISHES_IN_FLIGHT = 8
     }

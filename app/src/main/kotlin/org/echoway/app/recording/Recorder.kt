@@ -32,6 +32,7 @@ class Recorder(
     private var motion: LogFile? = null
     private var track: LogFile? = null
     private val early = mutableListOf<String>() // restarts before the first firing
+    private var sensorsInHead = 0
     private var newestS = DoubleArray(0)
     private var closed = false
 
@@ -79,8 +80,16 @@ class Recorder(
         listOf(scans, motion, track).forEach { it?.close() }
     }
 
-    private fun scanLog(sensors: Int) =
-        scans ?: open(Recordings.SCANS, listOf("# building $building", "# sensors $sensors", "time_s,sensor,range_m") + early).also { scans = it }
+    /** A belt may say how many sensors it has after some have fired; those rows are its own too. */
+    private fun scanLog(sensors: Int): LogFile {
+        val open = scans
+        if (open != null && sensors == sensorsInHead) return open
+        open?.close()
+        val head = listOf("# building $building", "# sensors $sensors")
+        val rows = if (open == null) listOf("time_s,sensor,range_m") + early else File(folder, name + Recordings.SCANS).readLines().drop(head.size)
+        sensorsInHead = sensors
+        return open(Recordings.SCANS, head + rows).also { scans = it }
+    }
 
     private fun open(kind: String, head: List<String>) = LogFile(File(folder, name + kind), head)
 

@@ -9,6 +9,7 @@ import org.echoway.app.belt.WireSentence
 import org.echoway.app.building.BundledBuildings
 import org.echoway.app.building.InstalledBuilding
 import org.echoway.core.BeltLink
+import org.echoway.core.BeltSetup
 import org.echoway.core.CoreException
 import org.echoway.core.CoreSession
 import org.echoway.core.MotionHint
@@ -49,6 +50,19 @@ class CoreBindingTest {
         val error = assertThrows(CoreException::class.java) { PlanLoader.load(folder) }
         assertTrue(error.message, error.message!!.contains("broken-\u00fc\u4e16/room-1.room:1:"))
         assertThrows(CoreException::class.java) { CoreSession.open(folder, 0.0) }
+    }
+
+    @Test fun aBeltThatCannotBeIsRefused() {
+        val impossible = listOf(
+            BeltSetup(sensors = 0),
+            BeltSetup(radiusM = -1.0),
+            BeltSetup(beamRad = 0.0),
+            BeltSetup(slotS = -1.0),
+            BeltSetup(temperatureC = -300.0),
+        )
+        for (belt in impossible) assertThrows("$belt", CoreException::class.java) { CoreSession.open(laboratory.folder, 0.0, belt = belt) }
+        val cold = BeltSetup(12, 0.2, Math.toRadians(30.0), 0.1, -5.0)
+        CoreSession.open(laboratory.folder, 0.0, belt = cold).use { assertEquals(12, it.beltHealth.sensors.size) }
     }
 
     @Test fun aStartInARoomIsWhereTheEstimateBegins() {

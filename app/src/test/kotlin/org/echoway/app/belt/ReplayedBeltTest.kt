@@ -5,6 +5,7 @@ import kotlinx.coroutines.flow.toList
 import kotlinx.coroutines.test.currentTime
 import kotlinx.coroutines.test.runTest
 import org.echoway.app.testing.VirtualClock
+import org.echoway.core.BeltSetup
 import org.echoway.core.MotionHint
 import org.echoway.core.MotionKind
 import org.junit.Assert.assertEquals
@@ -14,7 +15,7 @@ import org.junit.Test
 @OptIn(ExperimentalCoroutinesApi::class)
 class ReplayedBeltTest {
     private val log = WalkLog(
-        sensors = 2,
+        belt = BeltSetup(sensors = 2),
         firings = listOf(LoggedFiring(10.0, 0, 1.0), LoggedFiring(10.5, 1, null), LoggedFiring(11.2, 0, 2.0)),
         hints = listOf(MotionHint(10.3, MotionKind.STEP, 1.0)),
     )

@@ -1,6 +1,7 @@
 package org.echoway.app.belt
 
 import java.io.IOException
+import org.echoway.core.BeltSetup
 import org.echoway.core.MotionKind
 import org.echoway.core.Point
 import org.junit.Assert.assertEquals
@@ -14,11 +15,24 @@ class WalkLogTest {
 
     @Test fun readsFiringsAndHints() {
         val log = read("# sensors 3\ntime_s,sensor,range_m\n0.0,0,1.5\n0.06,2,\n", "time_s,kind,value\n0.03,step,1\n0.05,yaw_rate_dps,90\n")
-        assertEquals(3, log.sensors)
+        assertEquals(BeltSetup(sensors = 3), log.belt)
         assertEquals(1.5, log.firings[0].rangeM!!, 0.0)
         assertNull(log.firings[1].rangeM)
         assertEquals(MotionKind.STEP, log.hints[0].kind)
         assertEquals(Math.PI / 2, log.hints[1].value, 1e-12)
+    }
+
+    @Test fun readsWhatBeltItWas() {
+        val head = "# belt of oak\n# sensors 12\n#radius_m\t0.2\n# beam_deg 30\n# slot_s 0.1\n# temperature_c -5\n"
+        val log = read("${head}time_s,sensor,range_m\n0.0,11,1.5\n# sensors 4\n")
+        assertEquals(BeltSetup(12, 0.2, Math.toRadians(30.0), 0.1, -5.0), log.belt)
+    }
+
+    @Test fun refusesABeltThatCannotBe() {
+        for (line in listOf("sensors 0", "sensors 65", "sensors 1.5", "radius_m -1", "beam_deg wide", "slot_s 0", "temperature_c NaN")) {
+            val error = assertThrows(IOException::class.java) { read("# $line\ntime_s,sensor,range_m\n0.0,0,1.5\n") }
+            assertTrue(error.message, error.message!!.startsWith("line 1: # $line"))
+        }
     }
 
     @Test fun readsWhereTheWearerSaidThatTheyStand() {

@@ -59,6 +59,17 @@ class RecordingsTest {
         )
     }
 
+    @Test fun aBeltMaySayHowManySensorsItHasAfterSomeHaveFired() {
+        val recorder = recordings.start(SamplePlan.building)!!
+        walk(recorder)
+        recorder.onFirings(List(4) { if (it == 3) sensor(100.2, 2.0) else sensor(-1.0, null) })
+        recordings.stop(recorder)
+        assertEquals(
+            "# building sample\n# sensors 4\ntime_s,sensor,range_m\n0.0000,0,1.5000\n0.0624,1,\n0.2000,3,2.0000\n",
+            file(".scans.csv").readText(),
+        )
+    }
+
     @Test fun whatWasRecordedCanBeReadBackAndReplayed() {
         val recorder = recordings.start(SamplePlan.building)!!
         walk(recorder)

@@ -70,6 +70,7 @@ private val FindingKind.words
         FindingKind.DOOR_LINES -> R.string.kind_door_lines
         FindingKind.DOOR_WIDTH -> R.string.kind_door_width
         FindingKind.DOOR_LEVELS -> R.string.kind_door_levels
+        FindingKind.LINK_LEVELS -> R.string.kind_link_levels
         FindingKind.DOOR_LOOP -> R.string.kind_door_loop
         FindingKind.UNREACHABLE -> R.string.kind_unreachable
         FindingKind.NO_PLACE -> R.string.kind_no_place

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,5 +23,8 @@ struct Token {
 [[nodiscard]] std::string quote(std::string_view name);
 
 [[nodiscard]] std::string_view trim(std::string_view s) noexcept;
+
+/// Splits `line` at commas into `fields`, each trimmed; the number of fields that it has, which may be more than fit.
+[[nodiscard]] std::size_t split_at_commas(std::string_view line, std::span<std::string_view> fields) noexcept;
 
 }  // namespace echoway::text
