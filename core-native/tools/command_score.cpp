@@ -32,6 +32,7 @@ int score(const ScoreOptions& options) {
   const Result<Score> result = score_track(*track, *truth, *building);
   if (!result) return bad_input({result.error().message, options.track});
   fmt::print("rows             {}\n", result->rows);
+  if (result->rows_nowhere > 0) fmt::print("without a room   {}, left out\n", result->rows_nowhere);
   fmt::print("position error   mean {}, median {}, worst {}\n", metres_and_feet(result->mean_error_m),
              metres_and_feet(result->median_error_m), metres_and_feet(result->worst_error_m));
   fmt::print("heading error    mean {:.1f} deg\n", to_degrees(result->mean_heading_error_rad));

@@ -50,6 +50,10 @@ Result<Score> score_track(const std::vector<TrackRow>& track, const std::vector<
   for (const TrackRow& row : track) {
     const double time = row.where.time_s;
     if (time < truth.front().time_s || time > truth.back().time_s) continue;
+    if (row.where.room.empty()) {
+      ++score.rows_nowhere;
+      continue;
+    }
     while (next + 1 < truth.size() && truth[next + 1].time_s < time) ++next;
     const TruthRow& before = truth[next];
     const TruthRow& after = truth[std::min(next + 1, truth.size() - 1)];
@@ -66,7 +70,9 @@ Result<Score> score_track(const std::vector<TrackRow>& track, const std::vector<
     right += estimate->room == real.room ? 1 : 0;
     covered += error <= 2.0 * row.sigma_m ? 1 : 0;
   }
-  if (errors.empty()) return Error{"track and truth share no time"};
+  if (errors.empty()) {
+    return Error{score.rows_nowhere > 0 ? "the track names no room while there is truth" : "track and truth share no time"};
+  }
   const auto n = static_cast<double>(errors.size());
   score.rows = errors.size();
   score.mean_error_m = std::accumulate(errors.begin(), errors.end(), 0.0) / n;

@@ -11,6 +11,7 @@ namespace echoway::tools {
 /// A track held against the truth. Errors are taken in the level's frame, so that a wrong room costs what it is off by.
 struct Score {
   std::size_t rows = 0;
+  std::size_t rows_nowhere = 0;  ///< Left out: they name no room yet.
   double mean_error_m = 0.0;
   double median_error_m = 0.0;
   double worst_error_m = 0.0;

@@ -28,7 +28,7 @@ void SessionOptions::add_to(CLI::App& command) {
   command.add_option("--sensors", sensors, "Number of sensors on the belt")->check(whole(1, kMaxSensors));
   command.add_option("--radius", radius_m, "From the wearer's axis to the transducers, metres")->check(decimal(0.0, 2.0));
   command.add_option("--beam", beam_deg, "Full angle within which a plane wall answers, degrees")
-      ->check(decimal(0.1, 180.0));
+      ->check(decimal(0.01, 360.0));
   command.add_flag("--avoid-stairs", avoid_stairs, "Take stairs only where nothing else leads there");
   command.add_option("--to", destination, "Guide the wearer to a place, an exit or a room; \"exit\" is the nearest one")
       ->check(not_empty());

@@ -142,8 +142,12 @@ Status prepare(std::vector<AtomicFile>& files, const fs::path& path, const Lines
 Status write_building(const Building& building, const fs::path& dir) {
   if (const auto problem = why_not_writable(building)) return Error{"not written: " + *problem, dir.string()};
   std::error_code error;
+  std::error_code ignored;
   fs::create_directories(dir, error);
-  if (!fs::is_directory(dir, error)) return Error{"cannot be made a folder: " + error.message(), dir.string()};
+  if (!fs::is_directory(dir, ignored)) {
+    if (fs::exists(dir, ignored)) return Error{"is a file, not a folder", dir.string()};
+    return Error{"cannot be made a folder: " + error.message(), dir.string()};
+  }
   if (const auto stale = stale_room_file(building, dir)) {
     return Error{"is not part of this building; remove it or choose an empty folder", stale->string()};
   }

@@ -63,7 +63,7 @@ const LanguageTable& english() noexcept {
                  "Turn sharp left.", "Turn sharp right.", "Turn around."}},
       .on_side = {{"ahead of you", "on your left", "on your right", "on your left", "on your right", "on your left",
                    "on your right", "behind you"}},
-      .sensors = {{"Front", "Front left", "Left", "Rear left", "Rear", "Rear right", "Right", "Front right"}},
+      .sensors = {{"Front", "Front left", "Left", "Back left", "Back", "Back right", "Right", "Front right"}},
       .sides = {{"left", "right"}},
       .vague = {{"a step or two", "a few steps", "several steps", "some way"}},
       .clock = "at {n} o'clock",

@@ -45,6 +45,8 @@ SpokenLength spoken_length(double metres, double sigma_m, const SpeechStyle& sty
   const double units = length / scale.metres;
   const bool fine = units < scale.threshold && sigma_m <= scale.fine * scale.metres;
   const double grain = fine ? scale.fine : scale.coarse;
+  // The least that the coarse grain can say would be twice as far and more.
+  if (!fine && units < 0.5 * grain) return {true, vague_step(length), 0};
   const double rounded = std::max(grain, grain * std::round(units / grain));
   return {false, 0, static_cast<int>(std::lround(2.0 * rounded))};
 }

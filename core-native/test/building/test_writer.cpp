@@ -162,6 +162,10 @@ TEST(WriteBuilding, LeavesNothingOfABuildingThatCannotBeWritten) {
   EXPECT_THAT(write_building(building, dir.path()).error().message, HasSubstr("does not exist"));
   EXPECT_TRUE(std::filesystem::is_empty(dir.path()));
   EXPECT_FALSE(write_building(building, "/proc/nowhere/here").ok());
+  building.doors.clear();
+  const auto file = dir.write("taken", "");
+  EXPECT_THAT(write_building(building, file).error().to_string(), HasSubstr("taken: is a file, not a folder"));
+  EXPECT_THAT(write_building(building, "/proc/nowhere/here").error().to_string(), HasSubstr("here: cannot be made a folder: No such"));
 }
 
 }  // namespace

@@ -33,6 +33,19 @@ TEST(Score, MeasuresATrackAgainstTheTruth) {
   EXPECT_NE(result.out.find("within 2 sigma   50.0 %"), std::string::npos) << result.out;
 }
 
+TEST(Score, RowsThatNameNoRoomYetAreLeftOutAndCounted) {
+  const TemporaryFolder folder;
+  const std::string header = "time_s,room,x_m,y_m,heading_deg,sigma_m,room_probability,state\n0.2,,0,0,0,9,0,searching\n";
+  const auto truth = folder.write("truth.csv", "time_s,room,x_m,y_m,heading_deg\n0,4,1.0,1.0,0\n1,4,1.0,1.0,0\n").string();
+  const auto score = [&](const std::string& track) {
+    return run_echoway({"score", "--building", kLab, "--track", folder.write("track.csv", track).string(), "--truth", truth});
+  };
+  const auto result = score(header + "0.5,4,1.1,1.0,0,0.2,1,tracking\n");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("rows             1\nwithout a room   1, left out\n"), std::string::npos) << result.out;
+  EXPECT_EQ(score(header).status, 2);
+}
+
 TEST(Score, RefusesLogsThatHaveNothingInCommon) {
   const TemporaryFolder folder;
   const auto truth = folder.write("truth.csv", "time_s,room,x_m,y_m,heading_deg\n0,4,1.0,1.0,0\n");

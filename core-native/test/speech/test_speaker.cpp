@@ -132,6 +132,10 @@ TEST_F(SpeakerTest, IsNeverMorePreciseThanTheEstimate) {
   EXPECT_EQ(say(cue), "Door ahead, seven feet.");
   cue.sigma_m = 0.5;
   EXPECT_EQ(say(cue), "Door ahead, five feet.");
+  // Five feet, the least that can be said with that grain, would be more than twice as far.
+  cue.distance_m = feet(2);
+  EXPECT_EQ(say(cue), "Door ahead, a step or two.");
+  cue.distance_m = feet(7);
   cue.sigma_m = 1.0;
   EXPECT_EQ(say(cue), "Door ahead, a few steps.");
   cue.sigma_m = std::numeric_limits<double>::quiet_NaN();

@@ -47,8 +47,11 @@ class PhoneBuzzer(private val vibrator: Vibrator?) : Buzzer {
     }
 
     private fun waveform(motor: Vibrator, pulses: List<Pulse>): VibrationEffect {
-        val timings = pulses.flatMapIndexed { index, pulse -> listOf(if (index == 0) 0L else GAP_MS, pulse.length.ms) }.toLongArray()
-        if (!motor.hasAmplitudeControl()) return VibrationEffect.createWaveform(timings, NO_REPEAT)
+        fun timings(length: (Pulse) -> Long) =
+            pulses.flatMapIndexed { index, pulse -> listOf(if (index == 0) 0L else GAP_MS, length(pulse)) }.toLongArray()
+        // A motor that knows one strength only: what is softer is shorter, so that no two words feel alike.
+        if (!motor.hasAmplitudeControl()) return VibrationEffect.createWaveform(timings { it.lengthAtOneStrengthMs }, NO_REPEAT)
+        val timings = timings { it.length.ms }
         val amplitudes = pulses.flatMap { listOf(0, it.strength.amplitude) }.toIntArray()
         return VibrationEffect.createWaveform(timings, amplitudes, NO_REPEAT)
     }

@@ -32,7 +32,15 @@ enum class Length(val ms: Long) { TICK(40), SHORT(90), LONG(350), VERY_LONG(1200
 /** Strengths, 1 ... 255, at least a ratio of 1.4 apart. */
 enum class Strength(val amplitude: Int) { SOFT(110), MEDIUM(170), STRONG(255) }
 
-data class Pulse(val length: Length, val strength: Strength)
+data class Pulse(val length: Length, val strength: Strength) {
+    /** Where strength cannot be felt, length stands for it. */
+    val lengthAtOneStrengthMs: Long
+        get() = when (strength) {
+            Strength.SOFT -> length.ms / 2
+            Strength.MEDIUM -> length.ms * 7 / 10
+            Strength.STRONG -> length.ms
+        }
+}
 
 /** Between two pulses, milliseconds: more than the 50 that it takes to feel two. */
 const val GAP_MS = 120L

@@ -34,12 +34,22 @@ class PhoneBuzzerTest {
     )
 
     @Test fun everyWordIsAWaveformWhereThereAreNoPrimitives() {
+        shadow.setHasAmplitudeControl(true)
         assertEquals(Touch.entries.toSet(), waveforms.keys)
         waveforms.forEach { (touch, pattern) ->
             PhoneBuzzer(vibrator).play(touch)
             assertTrue(shadow.isVibrating)
             assertArrayEquals("$touch", pattern, shadow.pattern)
         }
+    }
+
+    @Test fun aMotorOfOneStrengthPlaysNoTwoWordsAlike() {
+        val felt = Touch.entries.associateWith {
+            PhoneBuzzer(vibrator).play(it)
+            shadow.pattern.toList()
+        }
+        assertEquals("$felt", Touch.entries.size, felt.values.distinct().size)
+        assertEquals("growing stronger is growing longer", listOf(0L, 45L, 120L, 63L, 120L, 90L), felt.getValue(Touch.ARRIVED))
     }
 
     @Test fun primitivesAreUsedWhereAllOfAWordAreSupported() {
@@ -57,6 +67,7 @@ class PhoneBuzzerTest {
     private fun primitiveOf(segment: Any): Int = Regex("id=(\\d+)").find("$segment")!!.groupValues[1].toInt()
 
     @Test fun aMotorThatLacksOnePrimitivePlaysTheWaveform() {
+        shadow.setHasAmplitudeControl(true)
         shadow.setSupportedPrimitives(listOf(Composition.PRIMITIVE_CLICK))
         PhoneBuzzer(vibrator).play(Touch.LEFT)
         assertArrayEquals(waveforms.getValue(Touch.LEFT), shadow.pattern)
