@@ -1,6 +1,7 @@
 package org.echoway.app.ui
 
 import androidx.compose.foundation.isSystemInDarkTheme
+import androidx.compose.material3.ColorScheme
 import androidx.compose.material3.MaterialTheme
 import androidx.compose.material3.darkColorScheme
 import androidx.compose.material3.lightColorScheme
@@ -8,7 +9,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.graphics.Color
 import org.echoway.app.settings.ThemeChoice
 
-/** Blue on near-black or near-white: contrast of text and marks is 7:1 or better, and no hue carries meaning alone. */
+/** Blue on near-black or near-white: contrast of text is 7:1 or better, of marks 4.5:1, and no hue carries meaning alone. */
 private val Light = lightColorScheme(
     primary = Color(0xFF0B4A8F),
     onPrimary = Color.White,
@@ -87,14 +88,16 @@ private val Smoke = darkColorScheme(
     onError = Color.Black,
 )
 
+/** @param dark whether the phone's own theme is */
+internal fun colours(theme: ThemeChoice, dark: Boolean): ColorScheme = when (theme) {
+    ThemeChoice.SYSTEM -> if (dark) Dark else Light
+    ThemeChoice.LIGHT -> Light
+    ThemeChoice.DARK -> Dark
+    ThemeChoice.HIGH_CONTRAST -> HighContrast
+    ThemeChoice.SMOKE -> Smoke
+}
+
 @Composable
 fun EchowayTheme(theme: ThemeChoice = ThemeChoice.SYSTEM, content: @Composable () -> Unit) {
-    val scheme = when (theme) {
-        ThemeChoice.SYSTEM -> if (isSystemInDarkTheme()) Dark else Light
-        ThemeChoice.LIGHT -> Light
-        ThemeChoice.DARK -> Dark
-        ThemeChoice.HIGH_CONTRAST -> HighContrast
-        ThemeChoice.SMOKE -> Smoke
-    }
-    MaterialTheme(colorScheme = scheme, content = content)
+    MaterialTheme(colorScheme = colours(theme, isSystemInDarkTheme()), content = content)
 }

@@ -56,7 +56,6 @@ class ScreensTest {
         wearer = SamplePlan.estimate(0, 2.0, 2.0),
         level = 0,
         voiceMissing = false,
-        permissionMissing = false,
     )
 
     @Test fun theLiveScreenSaysWhereOneIsAndAnswers() {

@@ -44,7 +44,6 @@ private fun tracking() = LiveUiState.On(
     wearer = SamplePlan.estimate(room = torgersen.rooms.indexOfFirst { it.id == "4" }, x = 2.4, y = 2.6, headingDegrees = 30.0, sigmaM = 0.4),
     level = 3,
     voiceMissing = false,
-    permissionMissing = false,
     picture = pictureToHall(),
 )
 
@@ -66,7 +65,7 @@ private fun live(name: String, variants: Set<Variant> = LIGHT_ONLY, state: () ->
     Specimen(name, variants) { LiveScreen(state(), LiveActions({}, {}, {}, {}, {})) }
 
 private fun liveSpecimens() = listOf(
-    live("live-tracking", Variant.entries.toSet(), ::tracking),
+    live("live-tracking", USUAL + Variant.SMOKE + Variant.GERMAN_LARGE_TEXT, ::tracking),
     live("live-no-voice") { tracking().copy(words = "Belt disconnected.", lastLine = "Belt disconnected.", wearer = null, voiceMissing = true) },
     live("live-off") { LiveUiState.Off(torgersen.name, torgersen) },
     live("live-needs-setup") { LiveUiState.NeedsSetup },
@@ -75,6 +74,7 @@ private fun liveSpecimens() = listOf(
 private fun choosingSpecimens() = listOf(
     Specimen("menu") { MenuScreen({}, {}) },
     Specimen("settings") { SettingsScreen(Settings(), {}, {}) },
+    Specimen("setup-no-buildings", emptySet()) { SetupScreen(SetupUiState.NoBuildings, SetupActions({}, {}, {}, {}, {})) },
     Specimen("setup") { SetupScreen(setup(), SetupActions({}, {}, {}, {}, {})) },
 )
 

@@ -12,10 +12,13 @@ enum class Variant(val suffix: String, val qualifiers: String, val theme: ThemeC
     SMOKE("-smoke", "$PHONE-mdpi", ThemeChoice.SMOKE),
     LARGE_TEXT("-large-text", "$PHONE-mdpi", ThemeChoice.LIGHT, fontScale = 2f),
     GERMAN_LARGE_TEXT("-german-large-text", "de-$PHONE-mdpi", ThemeChoice.LIGHT, fontScale = 2f),
+    LANDSCAPE("-landscape", "$LYING_PHONE-mdpi", ThemeChoice.LIGHT),
+    LANDSCAPE_LARGE_TEXT("-landscape-large-text", "$LYING_PHONE-mdpi", ThemeChoice.LIGHT, fontScale = 2f),
     TABLET("-tablet", "w1024dp-h768dp-land-hdpi", ThemeChoice.LIGHT),
 }
 
 private const val PHONE = "w400dp-h860dp"
+private const val LYING_PHONE = "w860dp-h400dp-land"
 
 /** Makes the device one that shows a variant; must come before the rule that opens the screen. */
 class Device(private val variant: Variant) : ExternalResource() {

@@ -29,7 +29,7 @@ internal fun wearerSpecimens() = listOf(
             group(stringResource(R.string.exits), DestinationKind.EXIT, "East stairs, in Room 7, Hall", "Main entrance, in Room 7, Hall"),
         )
         DestinationsScreen(
-            DestinationsUiState.Ready(stringResource(R.string.leading_to, "Lectern"), led = true, groups),
+            DestinationsUiState.Ready(stringResource(R.string.leading_to, "Lectern"), led = true, answered = false, groups),
             DestinationsActions({}, {}, {}),
         )
     },

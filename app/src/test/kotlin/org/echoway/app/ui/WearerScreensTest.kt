@@ -3,6 +3,9 @@ package org.echoway.app.ui
 import android.Manifest
 import android.view.KeyEvent
 import android.view.accessibility.AccessibilityManager
+import androidx.compose.ui.semantics.SemanticsProperties
+import androidx.compose.ui.test.SemanticsMatcher
+import androidx.compose.ui.test.assert
 import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.assertIsNotEnabled
 import androidx.compose.ui.test.hasScrollAction
@@ -104,6 +107,8 @@ class WearerScreensTest {
         settle()
     }
 
+    private val isLiveRegion = SemanticsMatcher.keyIsDefined(SemanticsProperties.LiveRegion)
+
     private val leading get() = (container.navigator.state.value as NavigationState.Running).leading
 
     private fun heard(words: String) {
@@ -186,8 +191,11 @@ class WearerScreensTest {
         rule.onNode(hasScrollAction()).performScrollToNode(hasText("Way out"))
         press("Way out")
         assertEquals(Wish.LeadTo(Destination.WAY_OUT), leading)
+        // No belt is heard, so the voice knows no way yet: the screen reader says what was chosen.
+        rule.onNode(hasText("Leading you to", substring = true)).assert(isLiveRegion)
         press("Stop leading me")
         assertEquals(null, leading)
+        rule.onNodeWithText("Choose where to go.").assert(!isLiveRegion)
         heard("No longer leading you.")
         press("Back the way I came")
         heard("No way back yet.")

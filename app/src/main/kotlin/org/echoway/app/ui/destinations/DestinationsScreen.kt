@@ -34,7 +34,8 @@ fun DestinationsScreen(state: DestinationsUiState, actions: DestinationsActions)
 
 @Composable
 private fun Ready(state: DestinationsUiState.Ready, actions: DestinationsActions) {
-    Text(state.leading, Modifier.semantics { liveRegion = LiveRegionMode.Polite }, style = MaterialTheme.typography.titleMedium)
+    val heard = if (state.answered) Modifier else Modifier.semantics { liveRegion = LiveRegionMode.Polite }
+    Text(state.leading, heard, style = MaterialTheme.typography.titleMedium)
     BigButton(stringResource(R.string.way_out)) { actions.onAsk(Ask.WAY_OUT) }
     Action(stringResource(R.string.way_back)) { actions.onAsk(Ask.WAY_BACK) }
     Action(stringResource(R.string.stop_leading), enabled = state.led) { actions.onAsk(Ask.STOP_LEADING) }

@@ -16,6 +16,7 @@ sealed interface DestinationsUiState {
     /**
      * @property leading where the wearer is led, in words
      * @property led whether they are
+     * @property answered whether guidance says so itself, at once; a screen reader must not talk into that
      */
-    data class Ready(val leading: String, val led: Boolean, val groups: List<DestinationGroup>) : DestinationsUiState
+    data class Ready(val leading: String, val led: Boolean, val answered: Boolean, val groups: List<DestinationGroup>) : DestinationsUiState
 }

@@ -40,6 +40,8 @@ class DestinationsViewModel(private val container: AppContainer, private val res
             else -> resources.getString(R.string.leading_nowhere)
         },
         led = leading != null,
+        // Of a destination the core speaks once it knows where the wearer is.
+        answered = leading !is Wish.LeadTo,
         groups = lists.groups(plan, KINDS, (leading as? Wish.LeadTo)?.destination),
     )
 

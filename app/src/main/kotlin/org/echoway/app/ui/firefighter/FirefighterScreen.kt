@@ -3,14 +3,18 @@ package org.echoway.app.ui.firefighter
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ColumnScope
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.safeDrawingPadding
+import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.text.BasicText
 import androidx.compose.foundation.text.TextAutoSize
+import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.Button
 import androidx.compose.material3.ButtonDefaults
 import androidx.compose.material3.MaterialTheme
@@ -19,11 +23,13 @@ import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.platform.LocalConfiguration
 import androidx.compose.ui.res.stringResource
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
@@ -49,49 +55,64 @@ data class FirefighterActions(val onAsk: (Ask) -> Unit, val onStart: () -> Unit,
 @Composable
 fun FirefighterScreen(state: FirefighterUiState, actions: FirefighterActions) = EchowayTheme(ThemeChoice.SMOKE) {
     Surface(Modifier.fillMaxSize()) {
-        Column(Modifier.safeDrawingPadding().padding(12.dp), Arrangement.spacedBy(12.dp)) {
-            Text(
-                stringResource(R.string.firefighter),
-                Modifier.fillMaxWidth().semantics { heading() },
-                style = MaterialTheme.typography.titleLarge,
-                textAlign = TextAlign.Center,
-            )
-            Text(state.words, Modifier.fillMaxWidth(), style = MaterialTheme.typography.headlineSmall, textAlign = TextAlign.Center)
-            when {
-                state.stillness != Stillness.MOVING -> Alarm(state.stillness, actions.onCancelAlarm)
-                state.running -> Asks(state.lastLine, actions.onAsk)
-                else -> GloveButton(stringResource(R.string.start), actions.onStart)
-            }
-            Text(
-                stringResource(R.string.not_a_pass),
-                Modifier.fillMaxWidth(),
-                style = MaterialTheme.typography.bodyMedium,
-                textAlign = TextAlign.Center,
-            )
-            Action(stringResource(R.string.firefighter_leave), onClick = actions.onLeave)
-        }
+        if (LocalConfiguration.current.screenHeightDp < LOW_DP) Beside(state, actions) else Below(state, actions)
     }
 }
 
 @Composable
-private fun ColumnScope.Asks(lastLine: String, onAsk: (Ask) -> Unit) {
-    Text(lastLine, Modifier.fillMaxWidth(), style = MaterialTheme.typography.titleMedium, textAlign = TextAlign.Center)
-    GloveButton(stringResource(R.string.nearest_exit)) { onAsk(Ask.WAY_OUT) }
-    GloveButton(stringResource(R.string.way_back_short)) { onAsk(Ask.WAY_BACK) }
-    GloveButton(stringResource(R.string.where_am_i)) { onAsk(Ask.WHERE_AM_I) }
+private fun Below(state: FirefighterUiState, actions: FirefighterActions) {
+    Column(Modifier.safeDrawingPadding().padding(12.dp), Arrangement.spacedBy(12.dp)) {
+        Words(state)
+        Buttons(state, actions)
+        Leave(actions)
+    }
+}
+
+/** On a phone that lies on its side the words make way, not the buttons. */
+@Composable
+private fun Beside(state: FirefighterUiState, actions: FirefighterActions) {
+    Row(Modifier.safeDrawingPadding().padding(12.dp), Arrangement.spacedBy(12.dp)) {
+        Column(Modifier.weight(1f).fillMaxHeight().verticalScroll(rememberScrollState()), Arrangement.spacedBy(12.dp)) {
+            Words(state)
+            Leave(actions)
+        }
+        Column(Modifier.weight(1f).fillMaxHeight(), Arrangement.spacedBy(12.dp)) { Buttons(state, actions) }
+    }
 }
 
 @Composable
-private fun ColumnScope.Alarm(stillness: Stillness, onCancel: () -> Unit) {
-    val words = if (stillness == Stillness.ALARM) R.string.still_alarm else R.string.still_soon
-    Text(
-        stringResource(words),
-        Modifier.fillMaxWidth().semantics { liveRegion = LiveRegionMode.Assertive },
-        style = MaterialTheme.typography.headlineMedium,
-        textAlign = TextAlign.Center,
-    )
-    GloveButton(stringResource(R.string.cancel_alarm), onCancel)
+private fun Words(state: FirefighterUiState) {
+    val type = MaterialTheme.typography
+    Line(stringResource(R.string.firefighter), type.titleLarge, Modifier.semantics { heading() })
+    Line(state.words, type.headlineSmall)
+    if (state.stillness != Stillness.MOVING) {
+        val alarm = if (state.stillness == Stillness.ALARM) R.string.still_alarm else R.string.still_soon
+        Line(stringResource(alarm), type.headlineMedium, Modifier.semantics { liveRegion = LiveRegionMode.Assertive })
+    } else if (state.running) {
+        Line(state.lastLine, type.titleMedium)
+    }
 }
+
+@Composable
+private fun ColumnScope.Buttons(state: FirefighterUiState, actions: FirefighterActions) = when {
+    state.stillness != Stillness.MOVING -> GloveButton(stringResource(R.string.cancel_alarm), actions.onCancelAlarm)
+    state.running -> {
+        GloveButton(stringResource(R.string.nearest_exit)) { actions.onAsk(Ask.WAY_OUT) }
+        GloveButton(stringResource(R.string.way_back_short)) { actions.onAsk(Ask.WAY_BACK) }
+        GloveButton(stringResource(R.string.where_am_i)) { actions.onAsk(Ask.WHERE_AM_I) }
+    }
+    else -> GloveButton(stringResource(R.string.start), actions.onStart)
+}
+
+@Composable
+private fun Leave(actions: FirefighterActions) {
+    Line(stringResource(R.string.not_a_pass), MaterialTheme.typography.bodyMedium)
+    Action(stringResource(R.string.firefighter_leave), onClick = actions.onLeave)
+}
+
+@Composable
+private fun Line(text: String, style: TextStyle, modifier: Modifier = Modifier) =
+    Text(text, modifier.fillMaxWidth(), style = style, textAlign = TextAlign.Center)
 
 @Composable
 private fun ColumnScope.GloveButton(text: String, onClick: () -> Unit) {
@@ -112,4 +133,7 @@ private fun ColumnScope.GloveButton(text: String, onClick: () -> Unit) {
 
 /** The breadth of a gloved palm. */
 private val GLOVE = 96.dp
+
+/** Three gloved palms, the words and the way out of it need more. */
+private const val LOW_DP = 600
 private val SMALLEST = 16.sp

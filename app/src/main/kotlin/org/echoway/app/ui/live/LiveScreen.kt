@@ -9,6 +9,8 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.safeDrawingPadding
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.MaterialTheme
 import androidx.compose.material3.Surface
 import androidx.compose.material3.Text
@@ -119,7 +121,9 @@ private fun ColumnScope.BesideOrBelow(first: @Composable (Modifier) -> Unit, res
     if (window.screenWidthDp > window.screenHeightDp && window.screenWidthDp >= WIDE_DP) {
         Row(Modifier.weight(1f).fillMaxWidth(), Arrangement.spacedBy(16.dp), Alignment.Bottom) {
             first(Modifier.weight(1.4f).fillMaxHeight())
-            Column(Modifier.weight(1f), Arrangement.spacedBy(12.dp), Alignment.CenterHorizontally, rest)
+            // From the bottom up: where large words do not fit, what can be pressed is still there.
+            val words = Modifier.weight(1f).verticalScroll(rememberScrollState(), reverseScrolling = true)
+            Column(words, Arrangement.spacedBy(12.dp), Alignment.CenterHorizontally, rest)
         }
     } else {
         first(Modifier.weight(1f).fillMaxWidth())

@@ -28,7 +28,6 @@ sealed interface LiveUiState {
      * @property picture trail and way
      * @property lengths the wearer's unit
      * @property voiceMissing the phone cannot speak
-     * @property permissionMissing the belt waits for leave to be used
      */
     data class On(
         val building: String,
@@ -38,7 +37,6 @@ sealed interface LiveUiState {
         val wearer: Estimate?,
         val level: Int,
         val voiceMissing: Boolean,
-        val permissionMissing: Boolean,
         val picture: Picture = Picture(),
         val lengths: LengthStyle = LengthStyle.FEET,
     ) : LiveUiState

@@ -12,7 +12,6 @@ import kotlinx.coroutines.flow.mapLatest
 import kotlinx.coroutines.flow.stateIn
 import org.echoway.app.AppContainer
 import org.echoway.app.building.InstalledBuilding
-import org.echoway.app.engine.Line
 import org.echoway.app.engine.NavigationState
 import org.echoway.app.guide.Ask
 import org.echoway.app.ui.StateWords
@@ -66,7 +65,6 @@ class LiveViewModel(private val container: AppContainer, private val words: Stat
             wearer = wearer,
             level = level ?: plan.rooms.first().level,
             voiceMissing = voice == VoiceStatus.NO_ENGINE,
-            permissionMissing = state.line == Line.PERMISSION_MISSING,
         )
     }
 

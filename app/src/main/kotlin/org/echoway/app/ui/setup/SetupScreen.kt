@@ -22,6 +22,7 @@ import org.echoway.app.settings.SourceKind
 import org.echoway.app.ui.common.Action
 import org.echoway.app.ui.common.Choice
 import org.echoway.app.ui.common.Choices
+import org.echoway.app.ui.common.Heading
 
 /** What the wearer can do on the setup screen. */
 data class SetupActions(
@@ -38,7 +39,10 @@ fun SetupScreen(state: SetupUiState, actions: SetupActions) {
         Column(Modifier.safeDrawingPadding().padding(16.dp)) {
             when (state) {
                 SetupUiState.Loading -> Unit
-                SetupUiState.NoBuildings -> Text(stringResource(R.string.no_buildings), style = MaterialTheme.typography.headlineSmall)
+                SetupUiState.NoBuildings -> {
+                    Heading(stringResource(R.string.no_buildings), Modifier.weight(1f))
+                    Action(stringResource(R.string.back), onClick = actions.onDone)
+                }
                 is SetupUiState.Ready -> Ready(state, actions)
             }
         }

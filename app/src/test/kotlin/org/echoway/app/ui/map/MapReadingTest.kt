@@ -41,7 +41,7 @@ class MapReadingTest {
     private fun show(state: LiveUiState) = rule.setContent { EchowayTheme { LiveScreen(state, LiveActions({}, {}, {}, {}, {})) } }
 
     private fun sample(picture: Picture = Picture()) = LiveUiState.On(
-        "Sample", SamplePlan.plan, "Room 1, Office.", "", SamplePlan.estimate(0, 2.0, 2.0), 0, voiceMissing = false, permissionMissing = false, picture,
+        "Sample", SamplePlan.plan, "Room 1, Office.", "", SamplePlan.estimate(0, 2.0, 2.0), 0, voiceMissing = false, picture,
     )
 
     @Test fun aSentenceThenRoomByRoomTheNearestFirst() {
@@ -59,7 +59,7 @@ class MapReadingTest {
 
     @Test fun theLaboratoryAsDocumented() {
         val four = torgersen.rooms.indexOfFirst { it.id == "4" }
-        show(LiveUiState.On(torgersen.name, torgersen, "Room 4, Seminar room.", "", SamplePlan.estimate(four, 2.4, 2.6), 3, voiceMissing = false, permissionMissing = false))
+        show(LiveUiState.On(torgersen.name, torgersen, "Room 4, Seminar room.", "", SamplePlan.estimate(four, 2.4, 2.6), 3, voiceMissing = false))
         val page = File(System.getProperty("echoway.root")!!, "docs/screens.md").readText().replace(Regex("\\s+"), " ")
         for (line in rule.spokenLines().subList(1, 5)) assertTrue("docs/screens.md does not have: $line", line in page)
     }
