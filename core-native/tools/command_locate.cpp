@@ -1,10 +1,10 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iterator>
 #include <memory>
-#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -63,17 +63,6 @@ void replay(const ScanLog& scans, const std::vector<MotionHint>& hints, OnRestar
   }
 }
 
-/// Where the wearer said that they stand, in the order of the log.
-Result<std::vector<Start>> restarts_in(const Building& building, const ScanLog& scans) {
-  std::vector<Start> starts;
-  for (const LoggedRestart& restart : scans.restarts) {
-    const Result<Start> start = restart.start_in(building);
-    if (!start) return start.error();
-    starts.push_back(*start);
-  }
-  return starts;
-}
-
 Status write_cues(const std::vector<SpokenCue>& cues, const std::string& path) {
   Result<AtomicFile> file = AtomicFile::create(path);
   if (!file) return file.error();
@@ -104,59 +93,84 @@ Status check_outputs(const LocateOptions& options) {
   return success();
 }
 
-int locate(const LocateOptions& options) {
-  if (const Status distinct = check_outputs(options); !distinct) return bad_input(distinct.error());
-  Result<Building> building = load_building(options.session.building);
-  if (!building) return bad_input(building.error());
-  const Result<ScanLog> scans = read_scan_log(options.scans, options.session.sensors);
-  if (!scans) return bad_input(scans.error());
+struct Inputs {
+  ScanLog scans;
   std::vector<MotionHint> hints;
-  if (!options.motion.empty()) {
-    Result<std::vector<MotionHint>> log = read_motion_log(options.motion);
-    if (!log) return bad_input(log.error());
-    hints = std::move(*log);
-  }
-  const Result<SessionConfig> config = options.session.config(*building, scans->belt);
-  if (!config) return bad_input(config.error());
-  const Result<std::vector<Start>> restarts = restarts_in(*building, *scans);
-  if (!restarts) return bad_input(restarts.error());
-  Result<std::unique_ptr<Session>> opened = Session::open(std::move(*building), *config);
-  if (!opened) return bad_input(opened.error());
-  Session& session = **opened;
+  std::vector<Start> restarts;  ///< Where the wearer said that they stand, in the order of the log.
+};
 
-  if (!options.session.destination.empty()) {
-    const RoutePreferences preferences{options.session.avoid_stairs};
-    const Status set = session.set_destination(options.session.destination, preferences);
-    if (!set) return bad_input(set.error());
+Result<Inputs> read_inputs(const LocateOptions& options, const Building& building) {
+  Inputs inputs;
+  Result<ScanLog> scans = read_scan_log(options.scans, options.session.sensors);
+  if (!scans) return scans.error();
+  inputs.scans = std::move(*scans);
+  if (!options.motion.empty()) {
+    Result<std::vector<MotionHint>> hints = read_motion_log(options.motion);
+    if (!hints) return hints.error();
+    inputs.hints = std::move(*hints);
   }
-  CueCollector voice(session, options.session.speech_style());
+  for (const LoggedRestart& restart : inputs.scans.restarts) {
+    const Result<Start> start = restart.start_in(building);
+    if (!start) return start.error();
+    inputs.restarts.push_back(*start);
+  }
+  return inputs;
+}
+
+struct Located {
   std::vector<TrackRow> track;
-  track.reserve(scans->firings.size());
-  std::optional<Error> refused;
+  std::vector<SpokenCue> cues;
+  double seconds = 0.0;  ///< That it took.
+};
+
+Result<Located> follow(Session& session, const Inputs& inputs, const SpeechStyle& style) {
+  CueCollector voice(session, style);
+  Located located;
+  located.track.reserve(inputs.scans.firings.size());
+  Status restarted = success();
   const auto begin = std::chrono::steady_clock::now();
   replay(
-      *scans, hints,
+      inputs.scans, inputs.hints,
       [&](std::size_t i) {
-        if (const Status started = session.restart((*restarts)[i]); !started && !refused) refused = started.error();
+        if (restarted) restarted = session.restart(inputs.restarts[i]);
       },
       [&](const MotionHint& hint) { session.on_motion(hint); },
       [&](const Firing& firing) {
         if (session.on_firing(firing) && session.estimate().room != kNoRoom) {
-          track.push_back(to_row(session.estimate(), session.building()));
+          located.track.push_back(to_row(session.estimate(), session.building()));
         }
         voice.collect();
       });
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-  if (refused) return bad_input(*refused);
+  located.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (!restarted) return restarted.error();
+  located.cues = voice.cues();
+  return located;
+}
 
-  if (const Status written = write_track_log(track, options.track); !written) return bad_input(written.error());
-  if (!options.cues.empty()) {
-    if (const Status written = write_cues(voice.cues(), options.cues); !written) return bad_input(written.error());
-  }
-  for (const SpokenCue& cue : voice.cues()) fmt::print("{:8.2f} s  {}\n", cue.time_s, cue.text);
-  fmt::print("{} firings, {} estimates in {:.3f} s: {:.1f} us a firing\n", scans->firings.size(), track.size(),
-             took.count(), 1e6 * took.count() / static_cast<double>(std::max<std::size_t>(1, scans->firings.size())));
-  return 0;
+Status write_outputs(const Located& located, const LocateOptions& options) {
+  const Status track = write_track_log(located.track, options.track);
+  return track && !options.cues.empty() ? write_cues(located.cues, options.cues) : track;
+}
+
+void print(const Located& located, std::size_t firings) {
+  for (const SpokenCue& cue : located.cues) fmt::print("{:8.2f} s  {}\n", cue.time_s, cue.text);
+  fmt::print("{} firings, {} estimates in {:.3f} s: {:.1f} us a firing\n", firings, located.track.size(), located.seconds,
+             1e6 * located.seconds / static_cast<double>(std::max<std::size_t>(1, firings)));
+}
+
+int locate(const LocateOptions& options) {
+  if (const Status distinct = check_outputs(options); !distinct) return bad_input(distinct.error());
+  Result<Building> building = load_building(options.session.building);
+  if (!building) return bad_input(building.error());
+  const Result<Inputs> inputs = read_inputs(options, *building);
+  if (!inputs) return bad_input(inputs.error());
+  const Result<std::unique_ptr<Session>> session = options.session.open(std::move(*building), inputs->scans.belt);
+  if (!session) return bad_input(session.error());
+  const Result<Located> located = follow(**session, *inputs, options.session.speech_style());
+  if (!located) return bad_input(located.error());
+  if (const Status written = write_outputs(*located, options); !written) return bad_input(written.error());
+  print(*located, inputs->scans.firings.size());
+  return kDone;
 }
 
 }  // namespace

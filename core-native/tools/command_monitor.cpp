@@ -101,15 +101,8 @@ class Monitor {
 int monitor(const MonitorOptions& options) {
   Result<Building> building = load_building(options.session.building);
   if (!building) return bad_input(building.error());
-  const Result<SessionConfig> config = options.session.config(*building, {});
-  if (!config) return bad_input(config.error());
-  Result<std::unique_ptr<Session>> session = Session::open(std::move(*building), *config);
+  const Result<std::unique_ptr<Session>> session = options.session.open(std::move(*building), {});
   if (!session) return bad_input(session.error());
-  if (!options.session.destination.empty()) {
-    const RoutePreferences preferences{options.session.avoid_stairs};
-    const Status set = (*session)->set_destination(options.session.destination, preferences);
-    if (!set) return bad_input(set.error());
-  }
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
   return Monitor(**session, options).run();

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "report/following.hpp"
 
@@ -36,51 +36,70 @@ Error unknown_room(const std::string& log, const std::string& room) {
   return {log + " names room '" + room + "', which the building does not have"};
 }
 
+/// By how much a row is off.
+struct Miss {
+  double position_m = 0.0;
+  double heading_rad = 0.0;
+  bool right_room = false;
+  bool within_two_sigma = false;
+};
+
+Result<Miss> miss_of(const TrackRow& row, const TruthRow& before, const TruthRow& after, const Building& building) {
+  const std::optional<Placed> from = place(before, building);
+  const std::optional<Placed> to = place(after, building);
+  const std::optional<Placed> estimate = place(row.where, building);
+  if (!estimate) return unknown_room("the track", row.where.room);
+  if (!from) return unknown_room("the truth", before.room);
+  if (!to) return unknown_room("the truth", after.room);
+  const Placed real = interpolate(before, *from, after, *to, row.where.time_s);
+  const double error = distance(real.pose.position, estimate->pose.position);
+  return Miss{error, std::abs(wrap_angle(real.pose.heading - estimate->pose.heading)), estimate->room == real.room,
+              error <= 2.0 * row.sigma_m};
+}
+
+/// REQUIRES: some misses.
+Score summed_up(const std::vector<Miss>& misses) {
+  Score score;
+  std::vector<double> errors;
+  const double share = 1.0 / static_cast<double>(misses.size());
+  for (const Miss& miss : misses) {
+    errors.push_back(miss.position_m);
+    score.mean_error_m += share * miss.position_m;
+    score.mean_heading_error_rad += share * miss.heading_rad;
+    score.right_room_share += miss.right_room ? share : 0.0;
+    score.within_two_sigma_share += miss.within_two_sigma ? share : 0.0;
+  }
+  score.rows = misses.size();
+  score.worst_error_m = *std::max_element(errors.begin(), errors.end());
+  score.median_error_m = report::quantile(std::move(errors), 0.5);
+  return score;
+}
+
 }  // namespace
 
 Result<Score> score_track(const std::vector<TrackRow>& track, const std::vector<TruthRow>& truth,
                           const Building& building) {
   if (truth.empty()) return Error{"the truth log has no rows"};
-  Score score;
-  std::vector<double> errors;
-  double heading_sum = 0.0;
-  std::size_t right = 0;
-  std::size_t covered = 0;
+  std::vector<Miss> misses;
+  std::size_t nowhere = 0;
   std::size_t next = 0;
   for (const TrackRow& row : track) {
     const double time = row.where.time_s;
     if (time < truth.front().time_s || time > truth.back().time_s) continue;
     if (row.where.room.empty()) {
-      ++score.rows_nowhere;
+      ++nowhere;
       continue;
     }
     while (next + 1 < truth.size() && truth[next + 1].time_s < time) ++next;
-    const TruthRow& before = truth[next];
-    const TruthRow& after = truth[std::min(next + 1, truth.size() - 1)];
-    const std::optional<Placed> from = place(before, building);
-    const std::optional<Placed> to = place(after, building);
-    const std::optional<Placed> estimate = place(row.where, building);
-    if (!estimate) return unknown_room("the track", row.where.room);
-    if (!from) return unknown_room("the truth", before.room);
-    if (!to) return unknown_room("the truth", after.room);
-    const Placed real = interpolate(before, *from, after, *to, time);
-    const double error = distance(real.pose.position, estimate->pose.position);
-    errors.push_back(error);
-    heading_sum += std::abs(wrap_angle(real.pose.heading - estimate->pose.heading));
-    right += estimate->room == real.room ? 1 : 0;
-    covered += error <= 2.0 * row.sigma_m ? 1 : 0;
+    const Result<Miss> miss = miss_of(row, truth[next], truth[std::min(next + 1, truth.size() - 1)], building);
+    if (!miss) return miss.error();
+    misses.push_back(*miss);
   }
-  if (errors.empty()) {
-    return Error{score.rows_nowhere > 0 ? "the track names no room while there is truth" : "track and truth share no time"};
+  if (misses.empty()) {
+    return Error{nowhere > 0 ? "the track names no room while there is truth" : "track and truth share no time"};
   }
-  const auto n = static_cast<double>(errors.size());
-  score.rows = errors.size();
-  score.mean_error_m = std::accumulate(errors.begin(), errors.end(), 0.0) / n;
-  score.worst_error_m = *std::max_element(errors.begin(), errors.end());
-  score.median_error_m = report::quantile(std::move(errors), 0.5);
-  score.mean_heading_error_rad = heading_sum / n;
-  score.right_room_share = static_cast<double>(right) / n;
-  score.within_two_sigma_share = static_cast<double>(covered) / n;
+  Score score = summed_up(misses);
+  score.rows_nowhere = nowhere;
   return score;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "echoway/text/number.hpp"
 #include "echoway/text/tokens.hpp"
@@ -62,6 +63,16 @@ Result<SessionConfig> SessionOptions::config(const Building& building_model, con
     config.start = *parsed;
   }
   return config;
+}
+
+Result<std::unique_ptr<Session>> SessionOptions::open(Building building_model, const BeltHeader& header) const {
+  const Result<SessionConfig> wanted = config(building_model, header);
+  if (!wanted) return wanted.error();
+  Result<std::unique_ptr<Session>> session = Session::open(std::move(building_model), *wanted);
+  if (!session || destination.empty()) return session;
+  const Status set = (*session)->set_destination(destination, RoutePreferences{avoid_stairs});
+  if (!set) return set.error();
+  return session;
 }
 
 SpeechStyle SessionOptions::speech_style() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -31,8 +32,12 @@ struct SessionOptions {
 
   /// Belt: the defaults, then what the log's header says, then the command line.
   [[nodiscard]] BeltConfig belt(const BeltHeader& header) const;
-  [[nodiscard]] Result<SessionConfig> config(const Building& building, const BeltHeader& header) const;
+  /// A session in the building, already on its way to the destination where one is given.
+  [[nodiscard]] Result<std::unique_ptr<Session>> open(Building building_model, const BeltHeader& header) const;
   [[nodiscard]] SpeechStyle speech_style() const;
+
+ private:
+  [[nodiscard]] Result<SessionConfig> config(const Building& building_model, const BeltHeader& header) const;
 };
 
 /// `R[,x_m,y_m[,heading_deg]]`; a field left blank is unknown (`R,,,90`: the room and the heading).
