@@ -11,9 +11,10 @@ namespace echoway::guidance {
 /// Tells what a wearer must know of the belt: lost and back, a blocked sensor, a low battery.
 class HealthWatch {
  public:
-  /// Below this, volts: two of three cells of a 3.6 V pack near their end. Told once until it has recovered.
-  static constexpr double kLowBattery = 3.4;
-  static constexpr double kRecovered = 3.6;
+  /// Volts. The ranging modules need 4.5 at least; below this little is left of the belt's 6 V pack. Told once until it has
+  /// recovered. The app goes by the same.
+  static constexpr double kLowBattery = 5.2;
+  static constexpr double kRecovered = 5.6;
 
   /// Offers at most one line to `voice`.
   void update(const BeltHealth& health, double now, Announcer& voice);

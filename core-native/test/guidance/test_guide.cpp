@@ -612,7 +612,7 @@ TEST_F(GuideTest, TellsOfTheBeltOnceEach) {
   tell(12.0);
   tell(30.0);
   health.has_battery = true;
-  health.battery_v = 3.2;
+  health.battery_v = 5.0;
   tell(40.0);
   tell(60.0);
   EXPECT_THAT(kinds(wearer.fetch()), ElementsAre(CueKind::belt_back, CueKind::belt_lost, CueKind::belt_back,
