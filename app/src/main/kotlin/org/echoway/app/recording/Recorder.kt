@@ -82,11 +82,11 @@ class Recorder(
 
     /** A belt may say how many sensors it has after some have fired; those rows are its own too. */
     private fun scanLog(sensors: Int): LogFile {
-        val open = scans
-        if (open != null && sensors == sensorsInHead) return open
-        open?.close()
+        val before = scans
+        if (before != null && sensors == sensorsInHead) return before
+        before?.close()
         val head = listOf("# building $building", "# sensors $sensors")
-        val rows = if (open == null) listOf("time_s,sensor,range_m") + early else File(folder, name + Recordings.SCANS).readLines().drop(head.size)
+        val rows = if (before == null) listOf("time_s,sensor,range_m") + early else File(folder, name + Recordings.SCANS).readLines().drop(head.size)
         sensorsInHead = sensors
         return open(Recordings.SCANS, head + rows).also { scans = it }
     }
