@@ -38,8 +38,9 @@ test-arm64: reference-hashes build-arm64 ## Stiff cases and track hash on 64-bit
 	@$(QEMU_ARM64) stiff
 	@$(call same-hashes,$(QEMU_ARM64) hash,64-bit ARM)
 
-# 32-bit ARM shares neither libm's rounding nor the width of a long: tracks may differ, by this much.
-ARM32_BOUND_M := 1e-6
+# 32-bit ARM shares neither libm's rounding nor the width of a long: most tracks differ in the last bit, but a last bit may
+# send a resampling to the next particle, and from there a track in doubt parts from its twin by centimetres.
+ARM32_BOUND_M := 0.2
 QEMU_ARM32 := qemu-arm -L /usr/arm-linux-gnueabihf $(BUILD)/arm32/verify/echoway_verify
 .PHONY: test-arm32
 test-arm32: core build-arm32 ## Stiff cases on 32-bit ARM, under qemu-user; its tracks within a bound of the 64-bit ones
