@@ -54,9 +54,17 @@ class Wording(private val resources: Resources) {
 
     /** "Room 2, corridor" */
     fun name(room: Room): String {
-        val number = text(R.string.room_number, room.id)
-        return if (room.name.isEmpty()) number else text(R.string.room_named, number, room.name)
+        val short = shortName(room)
+        return if (room.name.isEmpty() || room.name == short) short else text(R.string.room_named, short, room.name)
     }
+
+    /** "Room 2"; "Hall", where the id is made of the name and for files, not for ears. The core has it so too. */
+    fun shortName(room: Room): String {
+        val ofTheName = room.name.isNotEmpty() && room.name.lettersOnly() in room.id.lettersOnly()
+        return if (ofTheName) room.name else text(R.string.room_number, room.id)
+    }
+
+    private fun String.lettersOnly() = lowercase(Locale.ROOT).filter { it in 'a'..'z' || it in '0'..'9' }.ifEmpty { this }
 
     /** What a destination is called. */
     fun name(plan: Plan, destination: Destination): String = when (destination.kind) {
@@ -74,7 +82,7 @@ class Wording(private val resources: Resources) {
     private fun noAnswer(why: NoAnswer): String = when (why) {
         is NoAnswer.NoBelt -> listOfNotNull(
             text(R.string.say_belt_lost),
-            why.lastRoom?.let { text(R.string.say_last_in, text(R.string.room_number, it.id)) },
+            why.lastRoom?.let { text(R.string.say_last_in, shortName(it)) },
         ).joinToString(" ")
         NoAnswer.NotRunning -> text(R.string.say_not_running)
     }

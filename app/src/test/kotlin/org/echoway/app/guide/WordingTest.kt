@@ -53,6 +53,17 @@ class WordingTest {
         Message.LeadingStopped to "No longer leading you.",
     )
 
+    @Test fun roomsAreCalledByWhatTheirDoorSays() {
+        val wording = Wording.of(context, Language.ENGLISH)
+        fun name(id: String, name: String) = wording.name(SamplePlan.office.copy(id = id, name = name))
+        assertEquals("Room 2, Corridor", name("2", "Corridor"))
+        assertEquals("Room 2", name("2", ""))
+        assertEquals("Room 2", name("2", "Room 2"))
+        assertEquals("Hall", name("hall", "Hall"))
+        assertEquals("Meeting room", name("2-meeting-room", "Meeting room"))
+        assertEquals("Room 3, Küche", name("3", "Küche"))
+    }
+
     @Test fun situations() {
         english.forEach { (message, words) -> assertEquals(words, words(message)) }
         english.values.forEach { assertTrue(it, it.split(' ').size <= 8) }

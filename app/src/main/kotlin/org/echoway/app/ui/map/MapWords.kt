@@ -5,6 +5,7 @@ import kotlin.math.PI
 import kotlin.math.atan2
 import kotlin.math.roundToInt
 import org.echoway.app.R
+import org.echoway.app.guide.Wording
 import org.echoway.app.ui.common.roughLength
 import org.echoway.core.Estimate
 import org.echoway.core.LengthStyle
@@ -14,6 +15,8 @@ import org.echoway.core.Room
 
 /** A level of a plan in words: as a sentence, and room by room. [title] is what a wearer calls the building. */
 class MapWords(private val resources: Resources, private val title: String, private val plan: Plan, private val lengths: LengthStyle) {
+    private val wording = Wording(resources)
+
     /** "Map of Torgersen laboratory, level 3. 7 rooms, 2 exits. You are in Room 4, Seminar room." */
     fun sentence(level: Int, wearer: Estimate?, wayM: Double?): String {
         val rooms = plan.rooms.count { it.level == level }
@@ -23,7 +26,7 @@ class MapWords(private val resources: Resources, private val title: String, priv
             resources.getQuantityString(R.plurals.rooms, rooms, rooms),
             resources.getQuantityString(R.plurals.exits, exits, exits),
         )
-        val here = wearer?.let { resources.getString(R.string.map_wearer_in, name(plan.rooms[it.room])) }
+        val here = wearer?.let { resources.getString(R.string.map_wearer_in, wording.name(plan.rooms[it.room])) }
             ?: resources.getString(R.string.map_wearer_unknown)
         val way = wayM?.let { resources.getString(R.string.map_way, resources.roughLength(it, lengths)) }
         return listOfNotNull(resources.getString(R.string.map_sentence, title, level, size, here), way).joinToString(" ")
@@ -32,12 +35,7 @@ class MapWords(private val resources: Resources, private val title: String, priv
     /** "Room 4, Seminar room. North of you, 12 feet. Door to Room 2. Exit: East stairs. Here: Lectern." */
     fun room(index: Int, wearer: Estimate?): String {
         val room = plan.rooms[index]
-        return listOfNotNull(name(room) + ".", lies(index, wearer), doors(index), exits(index), places(index)).joinToString(" ")
-    }
-
-    private fun name(room: Room): String {
-        val number = resources.getString(R.string.room_number, room.id)
-        return if (room.name.isEmpty()) number else "$number, ${room.name}"
+        return listOfNotNull(wording.room(room), lies(index, wearer), doors(index), exits(index), places(index)).joinToString(" ")
     }
 
     private fun lies(index: Int, wearer: Estimate?): String? {
@@ -60,7 +58,7 @@ class MapWords(private val resources: Resources, private val title: String, priv
                 door.b.room -> door.a.room
                 else -> null
             }
-        }.distinct().map { resources.getString(R.string.room_number, plan.rooms[it].id) }
+        }.distinct().map { wording.shortName(plan.rooms[it]) }
         return when (others.size) {
             0 -> resources.getString(R.string.map_no_doors)
             1 -> resources.getString(R.string.map_door_to, others.single())
