@@ -37,7 +37,7 @@ data class WalkLog(
         fun read(scans: BufferedReader, motion: BufferedReader? = null): WalkLog {
             var belt = BeltSetup()
             val restarts = mutableListOf<LoggedRestart>()
-            val firings = rows(scans, onComment = { comment, beforeHeader ->
+            val firings = rows(scans, SCAN_COLUMNS, onComment = { comment, beforeHeader ->
                 if (beforeHeader) belt = withComment(belt, comment)
                 restart(comment)?.let(restarts::add)
             }) { (time, sensor, range) ->
@@ -45,7 +45,7 @@ data class WalkLog(
             }
             if (firings.isEmpty()) throw IOException("the log holds no firing")
             if (firings.any { it.sensor !in 0 until belt.sensors }) throw IOException("the log names a sensor that its belt does not have")
-            val hints = motion?.let { reader -> rows(reader) { (time, kind, value) -> hint(number(time), kind, number(value)) } }
+            val hints = motion?.let { reader -> rows(reader, MOTION_COLUMNS) { (time, kind, value) -> hint(number(time), kind, number(value)) } }
             return WalkLog(belt, firings, hints.orEmpty(), restarts)
         }
 
@@ -83,16 +83,31 @@ data class WalkLog(
             else -> throw NumberFormatException("unknown kind $kind")
         }
 
-        private fun <T> rows(reader: BufferedReader, onComment: (String, Boolean) -> Unit = { _, _ -> }, row: (List<String>) -> T): List<T> {
+        private fun <T> rows(
+            reader: BufferedReader,
+            columns: List<String>,
+            onComment: (String, Boolean) -> Unit = { _, _ -> },
+            row: (List<String>) -> T,
+        ): List<T> {
             val rows = mutableListOf<T>()
             var header = true
-            reader.use { it.readText() }.wholeLines().let { lines ->
-                lines.forEachIndexed { index, line ->
+            var timeS = Double.NEGATIVE_INFINITY
+            fun take(fields: List<String>) {
+                if (fields.size < columns.size) throw NumberFormatException("too few columns")
+                val time = number(fields[0])
+                if (time < timeS) throw NumberFormatException("time_s goes back")
+                timeS = time
+                rows += row(fields)
+            }
+            reader.use { it.readText() }.removePrefix(BYTE_ORDER_MARK).wholeLines().forEachIndexed { index, line ->
+                numbered(index + 1, line) {
+                    val fields = line.split(',').map { it.trim() }
                     when {
-                        line.startsWith("#") -> numbered(index + 1, line) { onComment(line.drop(1).trim(), header) }
+                        line.startsWith("#") -> onComment(line.drop(1).trim(), header)
                         line.isBlank() -> Unit
-                        header -> header = false
-                        else -> rows += parsed(index + 1, line, row)
+                        !header -> take(fields)
+                        fields.take(columns.size) == columns -> header = false
+                        else -> throw NumberFormatException("the header line must be '${columns.joinToString(",")}'")
                     }
                 }
             }
@@ -110,10 +125,6 @@ data class WalkLog(
 
         private fun length(text: String) = number(text).also { if (it < 0.0) throw NumberFormatException("a range of $text m") }
 
-        private fun <T> parsed(number: Int, line: String, row: (List<String>) -> T): T = numbered(number, line) {
-            row(line.trim().split(',').also { if (it.size < COLUMNS) throw NumberFormatException("too few columns") })
-        }
-
         private fun <T> numbered(number: Int, line: String, read: () -> T): T = try {
             read()
         } catch (e: NumberFormatException) {
@@ -121,7 +132,9 @@ data class WalkLog(
         }
 
         private val DECIMAL = Regex("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?")
-        private const val COLUMNS = 3
+        private val SCAN_COLUMNS = listOf("time_s", "sensor", "range_m")
+        private val MOTION_COLUMNS = listOf("time_s", "kind", "value")
+        private const val BYTE_ORDER_MARK = "\uFEFF"
         private const val RESTART_WORDS = 6
         private const val MAX_SENSORS = 64.0
     }

@@ -11,6 +11,7 @@ import java.io.OutputStreamWriter
  */
 internal class LogFile(file: File, head: List<String>) : Closeable {
     private val writer = OutputStreamWriter(FileOutputStream(file), Charsets.UTF_8).buffered()
+    private var newestS = Double.NEGATIVE_INFINITY
     private var flushedS = Double.NEGATIVE_INFINITY
 
     init {
@@ -18,11 +19,16 @@ internal class LogFile(file: File, head: List<String>) : Closeable {
         writer.flush()
     }
 
-    fun row(timeS: Double, text: String) {
-        line(text)
-        if (timeS - flushedS < FLUSH_S && timeS >= flushedS) return
+    /**
+     * A row of what came at [timeS], in words for the time that it is given: rows are in order of time, and what was held up
+     * on its way (Android tells of a step when it is sure of it) counts from when it came.
+     */
+    fun row(timeS: Double, text: (Double) -> String) {
+        newestS = maxOf(newestS, timeS)
+        line(text(newestS))
+        if (newestS - flushedS < FLUSH_S) return
         writer.flush()
-        flushedS = timeS
+        flushedS = newestS
     }
 
     private fun line(text: String) {

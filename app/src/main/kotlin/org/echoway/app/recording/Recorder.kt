@@ -41,8 +41,7 @@ class Recorder(
         val fired = sensors.withIndex().filter { (i, it) -> it.lastTimeS >= 0 && it.lastTimeS > newestS[i] }.sortedBy { it.value.lastTimeS }
         for ((index, sensor) in fired) {
             newestS[index] = sensor.lastTimeS
-            val time = since(sensor.lastTimeS)
-            scanLog(sensors.size).row(time, "${number(time)},$index,${sensor.lastRangeM?.let(::number).orEmpty()}")
+            scanLog(sensors.size).row(since(sensor.lastTimeS)) { "${number(it)},$index,${sensor.lastRangeM?.let(::number).orEmpty()}" }
         }
     }
 
@@ -54,7 +53,7 @@ class Recorder(
             MotionKind.YAW_RATE -> "yaw_rate_dps" to Math.toDegrees(hint.value)
             MotionKind.HEADING -> "heading_deg" to Math.toDegrees(hint.value)
         }
-        log.row(time, "${number(time)},$kind,${number(value)}")
+        log.row(time) { "${number(it)},$kind,${number(value)}" }
     }
 
     /** Nothing is written while no room is known. */
@@ -63,7 +62,7 @@ class Recorder(
         val time = since(estimate.timeS)
         val log = track ?: open(Recordings.TRACK, listOf("time_s,room,x_m,y_m,heading_deg,sigma_m,room_probability,state")).also { track = it }
         val values = listOf(estimate.x, estimate.y, Math.toDegrees(estimate.heading), estimate.sigmaM, estimate.roomProbability)
-        log.row(time, "${number(time)},${room.id},${values.joinToString(",", transform = ::number)},${estimate.state.word}")
+        log.row(time) { "${number(it)},${room.id},${values.joinToString(",", transform = ::number)},${estimate.state.word}" }
     }
 
     /** A comment line among the firings, which whoever replays the walk obeys. */
@@ -71,8 +70,8 @@ class Recorder(
         val time = since(timeS)
         val room = plan.rooms.getOrNull(start.room)?.id
         val values = listOf(start.at?.x, start.at?.y, start.heading?.let(Math::toDegrees))
-        val line = "# restart ${number(time)} ${room ?: "-"} ${values.joinToString(" ") { it?.let(::number) ?: "-" }}"
-        scans?.row(time, line) ?: early.add(line)
+        fun line(timeS: Double) = "# restart ${number(timeS)} ${room ?: "-"} ${values.joinToString(" ") { it?.let(::number) ?: "-" }}"
+        scans?.row(time, ::line) ?: early.add(line(time))
     }
 
     override fun close() = writing {

@@ -42,6 +42,21 @@ class WalkLogTest {
         assertTrue(error.message, error.message!!.startsWith("line 3: # restart now"))
     }
 
+    @Test fun aLogMayComeFromAnySystem() {
+        val log = read("\uFEFF# sensors 3\r\ntime_s, sensor, range_m, note\r\n0.0, 0, 1.5, a\r\n0.06, 2, , b\r\n")
+        assertEquals(3, log.belt.sensors)
+        assertEquals(listOf(LoggedFiring(0.0, 0, 1.5), LoggedFiring(0.06, 2, null)), log.firings)
+    }
+
+    @Test fun refusesAnotherKindOfLogAndTimeThatGoesBack() {
+        for (text in listOf("0.0,0,1.5\n0.06,1,1.5\n", "time_s,kind,value\n0.0,step,1\n")) {
+            val error = assertThrows(IOException::class.java) { read(text) }
+            assertTrue(error.message, "line 1: " in error.message!! && "must be 'time_s,sensor,range_m'" in error.message!!)
+        }
+        val error = assertThrows(IOException::class.java) { read("time_s,sensor,range_m\n0.1,0,1.5\n0.0,1,1.5\n") }
+        assertTrue(error.message, error.message!!.startsWith("line 3: 0.0,1,1.5: time_s goes back"))
+    }
+
     @Test fun saysWhichLineIsBroken() {
         val error = assertThrows(IOException::class.java) { read("time_s,sensor,range_m\n0.0,0,1.5\n0.06,two,1.0\n") }
         assertTrue(error.message, error.message!!.startsWith("line 3: 0.06,two,1.0"))

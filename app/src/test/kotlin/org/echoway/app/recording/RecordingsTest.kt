@@ -79,6 +79,18 @@ class RecordingsTest {
         assertEquals(listOf(MotionKind.STEP, MotionKind.YAW_RATE), log.hints.map { it.kind })
     }
 
+    @Test fun aStepThatThePhoneTellsOfLateCountsFromWhenItCame() {
+        val recorder = recordings.start(SamplePlan.building)!!
+        recorder.onMotion(MotionHint(100.0, MotionKind.YAW_RATE, 0.0))
+        recorder.onMotion(MotionHint(101.5, MotionKind.YAW_RATE, 0.0))
+        recorder.onMotion(MotionHint(100.4, MotionKind.STEP, 1.0))
+        recordings.stop(recorder)
+        assertEquals(
+            "time_s,kind,value\n0.0000,yaw_rate_dps,0.0000\n1.5000,yaw_rate_dps,0.0000\n1.5000,step,1.0000\n",
+            file(".motion.csv").readText(),
+        )
+    }
+
     @Test fun whereTheWearerSaidThatTheyStandIsReadBackInItsPlace() {
         val recorder = recordings.start(SamplePlan.building)!!
         recorder.onRestart(Start(), 99.9)
