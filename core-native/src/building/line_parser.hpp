@@ -21,7 +21,6 @@ class LineParser {
 
   [[nodiscard]] bool at_end() const noexcept { return next_ == tokens_.size(); }
   [[nodiscard]] std::size_t size() const noexcept { return tokens_.size(); }
-  [[nodiscard]] bool next_is_quoted() const noexcept { return !at_end() && tokens_[next_].quoted; }
 
   std::string word(std::string_view what);
   std::string quoted(std::string_view what);

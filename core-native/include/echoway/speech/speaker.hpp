@@ -47,7 +47,6 @@ class Speaker {
   explicit Speaker(const Building& building, const SpeechStyle& style = {}) : building_(&building), style_(style) {}
 
   [[nodiscard]] const SpeechStyle& style() const noexcept { return style_; }
-  void set_style(const SpeechStyle& style) noexcept { style_ = style; }
 
   /// The line for `cue`, UTF-8, with its full stop. Never empty.
   [[nodiscard]] std::string say(const Cue& cue) const;

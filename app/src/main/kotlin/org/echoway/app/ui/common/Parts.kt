@@ -35,9 +35,6 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import org.echoway.app.R
 
-/** Nothing that is touched is smaller. */
-val MIN_TARGET = 48.dp
-
 /** What must be found without looking. */
 val BIG_TARGET = 120.dp
 
