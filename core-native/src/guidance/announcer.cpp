@@ -87,6 +87,7 @@ bool is_nameless(CueKind kind) noexcept {
 }
 
 bool same_words(const Cue& a, const Cue& b) noexcept {
+  if (a.kind == CueKind::found && b.kind == CueKind::found) return a.room == b.room;  // whatever is told besides
   if (a.kind != b.kind || a.room != b.room || a.up != b.up || a.tail.present != b.tail.present) return false;
   if (a.landmark != b.landmark && !is_nameless(a.kind)) return false;
   const bool same_side = a.kind == CueKind::bear ? (a.direction > 0.0) == (b.direction > 0.0)

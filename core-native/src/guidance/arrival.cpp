@@ -24,12 +24,18 @@ Arrival::After Arrival::after(const View& view) noexcept {
 
 /// Before a doorway the room flickers: who is to go just inside is not there yet. And who is told that they are there
 /// asks no further.
-bool Arrival::is_place_known(const View& view) const noexcept {
+bool Arrival::is_place_sharp(const View& view) const noexcept {
   constexpr double kSureOfRoom = 0.85;
   constexpr double kInRoom = 1.0;  // s
   const Estimate& e = *view.estimate;
-  return e.state == TrackState::tracking && e.sigma_m <= config_->found_sigma_m && e.room_probability >= kSureOfRoom &&
-         view.now - room_since_ >= kInRoom;
+  return e.sigma_m <= config_->found_sigma_m && e.room_probability >= kSureOfRoom && view.now - room_since_ >= kInRoom;
+}
+
+/// Near things that no plan knows the echoes never fit: the place must hold for longer then.
+bool Arrival::is_place_known(const View& view) const noexcept {
+  constexpr double kHolds = 5.0;  // s
+  const bool fits = view.estimate->state == TrackState::tracking;
+  return is_place_sharp(view) && (fits || view.now - there_since_ >= kHolds);
 }
 
 bool Arrival::is_there(const View& view, bool holding) const {
@@ -59,8 +65,10 @@ Cue Arrival::cue_for(const Pose2& pose) const {
 }
 
 bool Arrival::tell(const View& view, bool holding, Announcer& voice) {
-  if (way_->route().waypoints.back().room != view.estimate->room) return false;
-  if ((told_at_ < 0.0 && !is_place_known(view)) || !is_there(view, holding)) return false;
+  const bool there = way_->route().waypoints.back().room == view.estimate->room && is_there(view, holding);
+  there_since_ = there ? std::min(there_since_, view.now) : kNotThere;
+  if (!there) return false;
+  if (told_at_ < 0.0 && !is_place_known(view)) return !view.walking && is_place_sharp(view);
   if (told_at_ < 0.0 && voice.offer(cue_for(view.estimate->pose), view.now)) told_at_ = view.now;
   return true;
 }

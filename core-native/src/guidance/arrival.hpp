@@ -16,7 +16,10 @@ class Arrival {
   Arrival(const Router& router, const GuideConfig& config, const Way& way, const Reaction& reaction)
       : router_(&router), config_(&config), way_(&way), reaction_(&reaction) {}
 
-  void forget() noexcept { told_at_ = -1.0; }
+  void forget() noexcept {
+    told_at_ = -1.0;
+    there_since_ = kNotThere;
+  }
   void note_room(const Estimate& estimate) noexcept;
 
   enum class After : std::uint8_t {
@@ -32,7 +35,9 @@ class Arrival {
   [[nodiscard]] bool tell(const View& view, bool holding, Announcer& voice);
 
  private:
+  static constexpr double kNotThere = 1e300;
   [[nodiscard]] bool is_place_known(const View& view) const noexcept;
+  [[nodiscard]] bool is_place_sharp(const View& view) const noexcept;
   [[nodiscard]] bool is_there(const View& view, bool holding) const;
   [[nodiscard]] Cue cue_for(const Pose2& pose) const;
 
@@ -43,6 +48,7 @@ class Arrival {
   RoomIndex room_ = kNoRoom;   ///< The wearer is in this room
   double room_since_ = -1e300; ///< since then.
   double told_at_ = -1.0;      ///< Negative before.
+  double there_since_ = kNotThere;  ///< They have been at the destination since then.
 };
 
 }  // namespace echoway::guidance

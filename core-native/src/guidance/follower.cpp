@@ -16,12 +16,12 @@ bool walks(const Estimate& e) {
 
 }  // namespace
 
-Follower::Follower(const Router& router, const GuideConfig& config)
+Follower::Follower(const Router& router, const GuideConfig& config, const HeardSpace& heard)
     : config_(&config),
       way_(router, config),
       reaction_(config),
       aim_(router, config, way_, reaction_),
-      steering_(router, config, way_, aim_, reaction_),
+      steering_(router, config, way_, aim_, reaction_, heard),
       arrival_(router, config, way_, reaction_),
       levels_(router, config, way_),
       herald_(router, config, way_, reaction_, levels_) {}
@@ -92,7 +92,8 @@ void Follower::tell_again() noexcept {
 }
 
 void Follower::note_standing(View& view) noexcept {
-  if (view.walking || was_walking_ != view.walking) still_since_ = view.now;
+  if (view.walking || was_walking_ != view.walking || !seen_) still_since_ = view.now;
+  seen_ = true;
   was_walking_ = view.walking;
   view.still_since = still_since_;
 }

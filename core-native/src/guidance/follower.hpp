@@ -11,6 +11,7 @@
 #include "guidance/announcer.hpp"
 #include "guidance/arrival.hpp"
 #include "guidance/headway.hpp"
+#include "guidance/heard_space.hpp"
 #include "guidance/herald.hpp"
 #include "guidance/level_change.hpp"
 #include "guidance/reaction.hpp"
@@ -24,8 +25,8 @@ namespace echoway::guidance {
 /// Leads a wearer whose position is known along a way that is laid out anew from wherever they are.
 class Follower {
  public:
-  /// REQUIRES: both outlive this.
-  Follower(const Router& router, const GuideConfig& config);
+  /// REQUIRES: all outlive this.
+  Follower(const Router& router, const GuideConfig& config, const HeardSpace& heard);
   // Its parts know one another.
   Follower(const Follower&) = delete;
   Follower& operator=(const Follower&) = delete;
@@ -90,6 +91,7 @@ class Follower {
   double next_look_ = -1e300;
   double still_since_ = -1e300;
   bool was_walking_ = false;
+  bool seen_ = false;            ///< Any update has been made.
   double last_pace_ = 0.0;       ///< When they walked last, m/s.
   double feels_until_ = -1e300;  ///< What stands in the way.
 };

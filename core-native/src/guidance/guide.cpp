@@ -26,15 +26,15 @@ using guidance::Certainty;
 
 struct Guide::Impl {
   Impl(const Router& r, const GuideConfig& c)
-      : router(&r), config(c), voice(config), certainty(r, config), follower(r, config), obstacles(r, config),
-        heard(config.belt), search(r, config, heard, turning), answers(r), passing(r), climbing(r, config) {}
+      : router(&r), config(c), voice(config), certainty(r, config), heard(config.belt), follower(r, config, heard),
+        obstacles(r, config), search(r, config, heard, turning), answers(r), passing(r), climbing(r, config) {}
 
   Status lead_to(const Goal& goal, RoutePreferences preferences);
   void restart();
   void update(const Estimate& newest, std::span<const Hypothesis> hypotheses);
   void answer_between_levels();
   void be_lost(std::span<const Hypothesis> places);
-  void be_found();
+  [[nodiscard]] bool be_found();
   void lead();
   void tell_obstacle();
   [[nodiscard]] bool stands_where_obstacle_was_told() const;
@@ -46,10 +46,10 @@ struct Guide::Impl {
   GuideConfig config;
   guidance::Announcer voice;
   Certainty certainty;
+  guidance::HeardSpace heard;
   guidance::Follower follower;
   guidance::ObstacleWatch obstacles;
   guidance::HealthWatch health;
-  guidance::HeardSpace heard;
   guidance::TurnWatch turning;
   guidance::Search search;
   guidance::Answers answers;
@@ -165,8 +165,8 @@ void Guide::Impl::update(const Estimate& newest, std::span<const Hypothesis> hyp
   // Nobody is told to stop and turn on stairs, nor led by a position that does not fit.
   if (!position_usable() || (now < climbing.until() && !certainty.fits_now())) return;
   if (is_sure()) climbing.update(estimate);
-  if (search.is_on()) be_found();
-  lead();
+  if (search.is_on() && !be_found()) tell_obstacle();
+  else lead();
 }
 
 void Guide::Impl::lead() {
@@ -209,12 +209,18 @@ void Guide::Impl::be_lost(std::span<const Hypothesis> places) {
   if (search.update(estimate, places, wanted, !certainty.was_sure(), answers.is_where_asked(), voice)) answers.where_was_answered();
 }
 
-void Guide::Impl::be_found() {
+/// True once the wearer knows. Who was told so a moment ago and has been lost again waits: a place that comes and goes is
+/// none to be led from.
+bool Guide::Impl::be_found() {
   if (!search.was_told()) {
     search.end();
-    return;  // it was never said that the place is not known: the room is named like one that is entered
+    return true;  // it was never said that the place is not known: the room is named like one that is entered
   }
-  Cue cue = guidance::room_cue(CueKind::found, estimate.room);
+  const double now = estimate.time_s;
+  const bool asked = answers.is_where_asked() || voice.is_way_asked();
+  const Cue plain = guidance::room_cue(CueKind::found, estimate.room);
+  if (!voice.would_speak(plain, now, asked)) return false;
+  Cue cue = plain;
   if (follower.active()) {
     if (!turning.turning()) cue.tail = follower.next_step(estimate);
   } else {
@@ -222,9 +228,10 @@ void Guide::Impl::be_found() {
     if (door.distance_m >= 0.0) cue.tail = {CueKind::door, true, door.direction, -1.0};
   }
   voice.forget_search();
-  if (!voice.offer(cue, estimate.time_s, true)) return;
+  if (!voice.offer(cue, now, asked)) (void)voice.offer(plain, now, asked);  // no turn that takes back another
   search.end();
   rooms.was_told(estimate.room);
+  return true;
 }
 
 /// Nothing has changed then: who stands before a thing knows of it.

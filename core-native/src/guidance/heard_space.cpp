@@ -9,15 +9,22 @@ namespace echoway::guidance {
 namespace {
 
 constexpr double kFresh = 1.3;               ///< Seconds: a pass and a little more.
-constexpr double kHands = 0.25;              ///< Nearer echoes are the wearer's own hands, metres from the belt.
+constexpr double kHands = 0.25;              ///< Nearer echoes from beside are the wearer's own hands, metres from the belt.
+
+/// Arms hang at the wearer's sides: what answers from so near before or behind them is none.
+bool may_be_hand(double bearing, double range_m) noexcept {
+  constexpr double kBeside = 0.8;  // sine: from 53 degrees on
+  return range_m < kHands && std::abs(std::sin(bearing)) > kBeside;
+}
 
 }  // namespace
 
 void HeardSpace::on_firing(const Firing& firing) noexcept {
   if (firing.sensor < 0 || firing.sensor >= belt_->sensors || !std::isfinite(firing.time_s)) return;
   const bool echo = firing.has_echo() && std::isfinite(firing.range_m);
-  if (echo && firing.range_m < kHands) return;
-  heard_[static_cast<std::size_t>(firing.sensor)] = {firing.time_s, echo ? firing.range_m + belt_->radius_m : -1.0};
+  if (echo && may_be_hand(belt_->bearing(firing.sensor), firing.range_m)) return;
+  Heard& heard = heard_[static_cast<std::size_t>(firing.sensor)];
+  heard = {firing.time_s, echo ? firing.range_m + belt_->radius_m : -1.0, fresh(firing.sensor, firing.time_s).value_or(-1.0)};
 }
 
 std::optional<double> HeardSpace::fresh(int sensor, double now) const noexcept {
@@ -43,6 +50,20 @@ std::optional<double> HeardSpace::way(double direction, double now) const noexce
   }
   if (echoes < kEnough) return std::nullopt;
   return free.value_or(kUnheard);
+}
+
+std::optional<double> HeardSpace::wall(double direction, double now) const noexcept {
+  constexpr double kBeyond = degrees(55.0);  // off the direction, what answers lies beside the way
+  constexpr double kSteady = 0.1;            // metres from one pass to the next
+  std::optional<double> nearest;
+  for (int i = 0; i < belt_->sensors; ++i) {
+    const auto range = fresh(i, now);
+    const double aside = wrap_angle(belt_->bearing(i) - direction);
+    if (!range || std::abs(aside) > kBeyond || std::abs(*range - heard_[static_cast<std::size_t>(i)].before_m) > kSteady) continue;
+    const double on = *range / std::cos(aside);
+    nearest = nearest ? std::min(*nearest, on) : on;
+  }
+  return nearest;
 }
 
 std::optional<double> HeardSpace::ahead(double now) const noexcept {

@@ -19,6 +19,9 @@ class HeardSpace {
   /// How far somebody can go to that side before what is heard in their way, metres. None where little is heard at all: a
   /// wall that is met aslant sends nothing back.
   [[nodiscard]] std::optional<double> way(double direction, double now) const noexcept;
+  /// How far somebody who stands can go to that side before the nearest wall, if each steady echo came from one straight
+  /// before its sensor, metres. None where none is heard.
+  [[nodiscard]] std::optional<double> wall(double direction, double now) const noexcept;
   /// Distance of the nearest echo within a sensor's spacing of straight ahead, metres from the chest's middle.
   [[nodiscard]] std::optional<double> ahead(double now) const noexcept;
 
@@ -26,6 +29,7 @@ class HeardSpace {
   struct Heard {
     double time_s = -1e300;
     double range_m = -1.0;  ///< From the wearer's middle; negative: no echo.
+    double before_m = -1.0; ///< The same a pass before.
   };
   /// What a sensor hears, from the wearer's middle; none when nothing, or not any more.
   [[nodiscard]] std::optional<double> fresh(int sensor, double now) const noexcept;

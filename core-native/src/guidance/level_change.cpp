@@ -42,6 +42,7 @@ bool LevelChange::take(const View& view, Announcer& voice) {
   const double patience = config_->patience_s(link.kind);
   told_at_ = *view.estimate;
   asked_ = false;
+  taken_ = end.index;
   landing_ = link.beyond(view.estimate->room);
   suspended_until_ = view.now + patience;
   transition_ = LevelTransition{static_cast<std::size_t>(end.index), view.estimate->room, landing_, view.now, patience};
@@ -55,8 +56,14 @@ LevelChange::Asked LevelChange::ask(const Estimate& e) noexcept {
                      distance(e.pose.position, told_at_.pose.position) < kThere;
   const bool first = !std::exchange(asked_, true);
   if (e.time_s - told_at_.time_s < kRide || (there && first)) return Asked::again;
+  const bool out = !is_on_level_left(e);
+  if (out) transition_ = over(e.time_s);
   forget();
-  return is_on_level_left(e) ? Asked::never : Asked::out;
+  return out ? Asked::out : Asked::never;
+}
+
+LevelTransition LevelChange::over(double now) const noexcept {
+  return {static_cast<std::size_t>(taken_), told_at_.room, landing_, now, 0.0};
 }
 
 bool LevelChange::is_on_level_left(const Estimate& e) const noexcept {
@@ -66,6 +73,7 @@ bool LevelChange::is_on_level_left(const Estimate& e) const noexcept {
 
 bool LevelChange::ends(const Estimate& e) noexcept {
   if (landing_ == kNoRoom || (e.room != landing_ && e.time_s < suspended_until_)) return false;
+  if (e.room == landing_) transition_ = over(e.time_s);
   forget();
   return true;
 }

@@ -42,6 +42,7 @@ class LevelChange {
   void drop_transition() noexcept { transition_.reset(); }
 
  private:
+  [[nodiscard]] LevelTransition over(double now) const noexcept;
   [[nodiscard]] bool is_on_level_left(const Estimate& estimate) const noexcept;
   [[nodiscard]] Cue cue_for(CueKind kind, std::int32_t link, const View& view, Vec2 at) const noexcept;
 
@@ -50,6 +51,7 @@ class LevelChange {
   const Way* way_;
   std::int32_t told_ = -1;
   double suspended_until_ = -1e300;
+  std::int32_t taken_ = -1;      ///< What they were told to take last.
   Estimate told_at_{};           ///< Where the wearer was when they were told to take it,
   bool asked_ = false;           ///< and whether they have asked since.
   RoomIndex landing_ = kNoRoom;  ///< Where they will come out; no room: nobody is under way.

@@ -17,7 +17,7 @@ constexpr double kFaceThing = 0.4;
 constexpr double kWobble = degrees(8.0);
 constexpr double kMostWobble = degrees(20.0);
 /// The standard deviation of a position is taken to be this at most, metres.
-constexpr double kMostBlur = 0.2;
+constexpr double kMostBlur = 0.3;
 /// Places at most this far apart are looked at on the way to where a turn is made, metres.
 constexpr double kStops = 0.3;
 

@@ -139,6 +139,7 @@ bool Steering::say_step(const View& view, const SideStep& step, Announcer& voice
 
 /// True when the turn cannot be told as it stands, because of walls: something else has been, or it has to wait.
 bool Steering::is_kept_from_turning(const View& view, const Cue& cue, double direction, Announcer& voice) {
+  if (hears_wall(view, understood(direction)) && look_round(view, voice)) return true;
   const bool again = view.walking && voice.is_free(view.now) && !voice.would_speak(cue, view.now);
   if (again && turn_in_tight_spot(view, {}, voice)) return true;
   const auto clear = [&](const Demand& demand) { return outlook_.clear_ahead(view, cue, understood(direction), demand); };
@@ -149,7 +150,37 @@ bool Steering::is_kept_from_turning(const View& view, const Cue& cue, double dir
   if (view.walking) return true;  // rather nothing than towards a wall
   // In a tight spot less must do, after a while.
   if (clear(kTight)) return false;
-  return !is_stuck(view, kStuck) || leave_tight_spot(view, voice) || !is_stuck(view, kQuiteStuck);
+  return !is_stuck(view, kStuck) || leave_tight_spot(view, voice) || !is_stuck(view, kQuiteStuck) || look_round(view, voice);
+}
+
+/// Whether the belt itself hears a wall where the wearer, who stands, is to go: one that the plan has elsewhere, or a thing.
+/// The way is laid round it.
+bool Steering::hears_wall(const View& view, double direction) {
+  constexpr double kFree = 0.5;  // metres
+  if (view.walking) return false;
+  const auto wall = heard_->wall(direction, view.now);
+  if (!wall || *wall >= kFree) return false;
+  const Pose2& pose = view.estimate->pose;
+  way_->hindrances().touch(view.estimate->room, {pose.position, wrap_angle(pose.heading + direction)}, *wall, view.now);
+  return true;
+}
+
+/// Who stands where nothing can be told that is sure not to point at a wall waits, for a better place or another way, and
+/// then turns slowly: that shows where they are. True while that is all there is to say; once in a while.
+bool Steering::look_round(const View& view, Announcer& voice) {
+  constexpr double kPause = 30.0;  // s
+  constexpr double kTakes = 7.0;   // s
+  if (view.now - pacing_.looked_round < kPause) return false;
+  if (!is_stuck(view, kQuiteStuck)) return true;
+  Cue cue = make_cue(CueKind::probe_turn);
+  cue.direction = std::copysign(kPi / 2, view.off);
+  cue.has_direction = true;
+  if (!voice.offer(cue, view.now)) return true;
+  begin_leg();
+  hold_after(cue, view);
+  pacing_.hold_until += kTakes;
+  pacing_.looked_round = view.now;
+  return true;
 }
 
 /// Whether the wearer has just stopped and will soon be known better.
@@ -201,9 +232,16 @@ bool Steering::say_turn(const View& view, Announcer& voice) {
   return true;
 }
 
+/// Who stands and faces a little off, on a vague place, would never set out: they are turned where only the echoes do not
+/// fit, else they turn slowly.
+bool Steering::face_way(const View& view, Announcer& voice) {
+  const bool narrow = view.estimate->sigma_m <= config_->vague_sigma_m;
+  return narrow && is_stuck(view, kQuiteStuck) ? say_turn(view, voice) : look_round(view, voice);
+}
+
 bool Steering::turn(const View& view, Announcer& voice) {
   const double off = std::abs(view.off);
-  if (view.vague && off <= degrees(45.0)) return false;
+  if (view.vague && off <= degrees(45.0)) return !view.walking && off > config_->ahead_rad && face_way(view, voice);
   if (off > config_->ahead_rad && (!view.walking || view.at_turn || off > degrees(35.0))) return say_turn(view, voice);
   if (!view.walking || view.vague || view.at_turn) return false;
   // Walking a little off: only what would miss the next point by too much is worth a word.
@@ -263,7 +301,8 @@ bool Steering::go_on(const View& view, Announcer& voice) {
   const Demand demand{std::min(most.free_m, 0.8 * along), most.sigmas};
   const Outlook::Approach way = outlook_.approach(view, plain, demand);
   const double direction = amend ? view.off : 0.0;
-  if (!outlook_.clear_of_walls(view, way, direction, demand)) return false;
+  if (!outlook_.clear_of_walls(view, way, direction, demand)) return !view.walking && look_round(view, voice);
+  if (hears_wall(view, direction) && look_round(view, voice)) return true;
   // Of things only some points are known, not quite where they are: who gets nowhere goes on by touch.
   if (!amend && !stuck && !outlook_.clear_of_things(view, way, direction, demand)) return false;
   const Cue cue = straight_cue(view, along, amend);

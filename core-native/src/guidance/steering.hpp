@@ -2,6 +2,7 @@
 
 #include "guidance/announcer.hpp"
 #include "guidance/aim.hpp"
+#include "guidance/heard_space.hpp"
 #include "guidance/outlook.hpp"
 #include "guidance/side_step.hpp"
 #include "guidance/stretch.hpp"
@@ -15,8 +16,8 @@ namespace echoway::guidance {
 class Steering {
  public:
   /// REQUIRES: all outlive this.
-  Steering(const Router& router, const GuideConfig& config, Way& way, Aim& aim, Reaction& reaction)
-      : router_(&router), config_(&config), way_(&way), aim_(&aim), reaction_(&reaction),
+  Steering(const Router& router, const GuideConfig& config, Way& way, Aim& aim, Reaction& reaction, const HeardSpace& heard)
+      : router_(&router), config_(&config), way_(&way), aim_(&aim), reaction_(&reaction), heard_(&heard),
         outlook_(router, config, way.hindrances(), reaction) {}
 
   void forget() noexcept;
@@ -50,11 +51,15 @@ class Steering {
     bool straight_due = true;    ///< "Go straight" has not been said on this leg.
     double hold_until = -1e300;  ///< The last instruction is still being carried out.
     double last_said = -1e300;
+    double looked_round = -1e300;  ///< The wearer was asked to turn slowly.
   };
   [[nodiscard]] bool say_turn(const View& view, Announcer& voice);
   [[nodiscard]] bool is_kept_from_turning(const View& view, const Cue& cue, double direction, Announcer& voice);
   [[nodiscard]] static bool is_settling(const View& view) noexcept;
   [[nodiscard]] bool is_stuck(const View& view, double seconds) const noexcept;
+  [[nodiscard]] bool hears_wall(const View& view, double direction);
+  [[nodiscard]] bool face_way(const View& view, Announcer& voice);
+  [[nodiscard]] bool look_round(const View& view, Announcer& voice);
   [[nodiscard]] bool leave_tight_spot(const View& view, Announcer& voice);
   void word_turn(const View& view, double direction, const Announcer& voice, Cue& cue) const;
   [[nodiscard]] bool say_bend(const View& view, Announcer& voice);
@@ -72,6 +77,7 @@ class Steering {
   Way* way_;
   Aim* aim_;
   Reaction* reaction_;
+  const HeardSpace* heard_;
   Outlook outlook_;
   Stretch stretch_;
   Pacing pacing_;

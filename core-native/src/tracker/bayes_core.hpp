@@ -91,6 +91,7 @@ class BayesLocator::Core {
   void conclude_first_search();
   void challenge();
   void start_doubting();
+  void land_all();
   void conclude_doubt();
   [[nodiscard]] std::optional<LevelTransition> link_to_take() const;
   [[nodiscard]] bool is_doubted(const tracker::Particle& p) const;

@@ -15,6 +15,7 @@ constexpr double kLeastHere = 0.2;                   // What a search, which is 
 constexpr double kDoubtedOdds = 0.5;                 // Of the place that is doubted,
 constexpr double kDoubted = 1.0;                     // which reaches so many metres
 constexpr double kDoubtedTurn = degrees(60.0);       // and so far round.
+constexpr double kSurelyAway = 0.5;                  // Who is on the stairs and asks is out of them.
 constexpr double kLinkOdds = 0.05;                   // The same of the stairs that were to be taken: who finds none is not there.
 
 }  // namespace
@@ -23,6 +24,9 @@ constexpr double kLinkOdds = 0.05;                   // The same of the stairs t
 void BayesLocator::Core::start_doubting() {
   const std::uint64_t now = history_.end();
   doubted_link_ = link_to_take();
+  if (doubted_link_ && away_ > kSurelyAway) land_all();
+  if (doubted_link_) links_.expect({});   // Whether they have taken it or not, they do so no longer.
+  if (doubt_ == Doubt::none) return;
   const bool away = away_ > kPerhapsAway && !doubted_link_;
   if (hearing_test_ != HearingTest::done || away || now < kDoubtWindow) return;
   const std::uint64_t begin = now - kDoubtWindow;
@@ -30,6 +34,19 @@ void BayesLocator::Core::start_doubting() {
   rivals_.dismiss_all();
   search_.start(SearchDomain{}, begin, now);
   doubt_ = Doubt::running;
+}
+
+// Nobody asks in mid-flight: who is away stands at the other end, though the echoes do not tell.
+void BayesLocator::Core::land_all() {
+  for (Particle& p : main_.particles()) {
+    if (p.gait == Gait::away) links_.land(p, last_time_, gyro_, random_);
+  }
+  rivals_.dismiss_all();
+  search_.stop();
+  doubt_ = Doubt::none;
+  unconfirmed_ = kConfirmed;
+  fruitless_ = 0;
+  fit_.reset();
 }
 
 // Other places that explain the echoes are believed beside the one that is doubted, as far as the echoes speak for them.

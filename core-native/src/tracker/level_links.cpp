@@ -21,6 +21,7 @@ struct Ride {
 };
 constexpr Ride kStairs{8.0, 0.12, 45.0};     // A storey of two flights takes some seventeen seconds.
 constexpr Ride kElevator{8.0, 0.06, 90.0};
+constexpr double kWaitRate = 5.0;            // 1/s: who is led stands where they have come out until they are told how it goes on.
 constexpr double kObedience = 0.9;           // Who was told to go up and sets out goes up.
 // Cabins measure 1.1 by 1.4 m most often, 2.0 by 1.4 m at most (EN 81-70). Their steel walls answer straight on, and by way of
 // one another two or three times as far.
@@ -34,6 +35,14 @@ constexpr double kLandingTurnSigma = degrees(8.0);
 
 bool happens(double rate, double seconds, Random& random) noexcept {
   return random.uniform() < 1.0 - fast_exp(-rate * seconds);
+}
+
+void stand(Particle& p) noexcept {
+  constexpr double kShuffle = 0.03;  // m/s
+  p.gait = Gait::standing;
+  p.speed = 0.0;
+  p.cov.xs = p.cov.ys = p.cov.sk = 0.0;
+  p.cov.ss = kShuffle * kShuffle;
 }
 
 }  // namespace
@@ -113,9 +122,10 @@ void LevelLinks::step(Particle& p, double time_s, double seconds, bool turn_know
     p.away_s += seconds;
     const Ride& ride = end.stairs ? kStairs : kElevator;
     if (p.away_s < ride.shortest_s) return;
-    if (p.away_s > ride.longest_s || happens(ride.end_rate, seconds, random)) arrive(p, way_taken(end, time_s, random), turn_known, random);
+    if (p.away_s > ride.longest_s || happens(ride.end_rate, seconds, random)) land(p, time_s, turn_known, random);
     return;
   }
+  if (p.gait == Gait::walking && awaits_word(p, time_s) && happens(kWaitRate, seconds, random)) stand(p);
   const auto room = static_cast<std::size_t>(p.room);
   for (std::uint32_t i = first_[room]; i < first_[room + 1]; ++i) {
     const End& end = ends_[i];
@@ -127,6 +137,15 @@ void LevelLinks::step(Particle& p, double time_s, double seconds, bool turn_know
     if (!end.stairs) p.speed = 0.0;
     return;
   }
+}
+
+void LevelLinks::land(Particle& away, double time_s, bool turn_known, Random& random) const noexcept {
+  arrive(away, way_taken(ends_[static_cast<std::size_t>(away.link_end)], time_s, random), turn_known, random);
+}
+
+bool LevelLinks::awaits_word(const Particle& p, double time_s) const noexcept {
+  const LevelTransition* transition = expected(time_s);
+  return led_ && transition != nullptr && p.room == transition->to;
 }
 
 void LevelLinks::arrive(Particle& p, const End& end, bool turn_known, Random& random) const noexcept {
@@ -142,6 +161,7 @@ void LevelLinks::arrive(Particle& p, const End& end, bool turn_known, Random& ra
   p.cov.xx = p.cov.yy = kLandingSigma * kLandingSigma;
   p.cov.ss = 0.2 * 0.2;
   p.cov.kk = scale;
+  if (led_) stand(p);
   p.strangers.fill(0);
 }
 

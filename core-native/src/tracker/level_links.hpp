@@ -47,6 +47,8 @@ class LevelLinks {
   /// Lets a particle that stands at a link set out (Gait::away), and one that is away arrive. `turn_known`: whether the
   /// heading was followed meanwhile; otherwise it is anyone's guess at the other end.
   void step(Particle& particle, double time_s, double seconds, bool turn_known, Random& random) const noexcept;
+  /// Lets one that is away arrive at once.
+  void land(Particle& away, double time_s, bool turn_known, Random& random) const noexcept;
 
  private:
   struct End {
@@ -64,6 +66,7 @@ class LevelLinks {
   [[nodiscard]] const End& way_taken(const End& end, double time_s, Random& random) const noexcept;
   [[nodiscard]] bool told(const End& end, double time_s) const noexcept;
   [[nodiscard]] double setting_out_rate(const End& end, double time_s) const noexcept;
+  [[nodiscard]] bool awaits_word(const Particle& particle, double time_s) const noexcept;
   void arrive(Particle& particle, const End& end, bool turn_known, Random& random) const noexcept;
 
   std::vector<End> ends_;                   ///< Sorted by room.

@@ -172,6 +172,15 @@ TEST_F(GuideTest, NobodyHasArrivedOnAPlaceThatIsNotKnown) {
   EXPECT_THAT(kinds(wearer.stay(1.4, blurred)), Not(Contains(CueKind::arrived)));
 }
 
+TEST_F(GuideTest, WhoStandsAtTheirDestinationIsToldSoInTheEndThoughTheEchoesDoNotFit) {
+  (void)wearer.stand(3.0, 1, {4, 3.6}, 0.0);
+  Estimate unfit = at(0, 1, {4, 3.6}, 0.0);
+  unfit.state = TrackState::lost;
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  EXPECT_THAT(kinds(wearer.stay(4.0, unfit)), Not(Contains(CueKind::arrived))) << "it may be somewhere else";
+  EXPECT_THAT(kinds(wearer.stay(6.0, unfit)), Contains(CueKind::arrived));
+}
+
 TEST_F(GuideTest, LeadsOnWhoWasTakenToHaveArrivedOnAVaguePlace) {
   ASSERT_TRUE(guide.set_destination("Lectern"));
   Estimate vague = at(0, 1, {3.5, 4.0}, 90.0);
@@ -209,6 +218,26 @@ TEST_F(GuideTest, BelievesAPlaceLessReadilyEachTimeItIsLostAgain) {
   const double first = seconds_until_found();
   (void)seconds_until_found();
   EXPECT_GT(seconds_until_found(), 1.9 * first);
+}
+
+TEST_F(GuideTest, WhoIsFoundAgainAndAgainHearsItOnceInTenSeconds) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  (void)wearer.stand(3.0, 0, {1, 2.5}, 90.0);
+  (void)wearer.stay(14.0, lost(0));
+  ASSERT_THAT(kinds(wearer.stand(3.0, 0, {1, 2.5}, 90.0)), Contains(CueKind::found));
+  EXPECT_THAT(kinds(wearer.stay(2.5, lost(0))), Contains(CueKind::uncertain));
+  EXPECT_THAT(wearer.stand(4.0, 0, {1, 2.5}, 90.0), IsEmpty()) << "nor is anybody led from a place that comes and goes";
+  EXPECT_THAT(kinds(wearer.stand(6.0, 0, {1, 2.5}, 90.0)), Contains(CueKind::found));
+}
+
+TEST_F(GuideTest, WhoAsksWhereTheyAreHearsThatTheyAreFoundHoweverSoon) {
+  (void)wearer.stand(3.0, 0, {1, 2.5}, 90.0);
+  (void)wearer.stay(14.0, lost(0));
+  ASSERT_THAT(kinds(wearer.stand(3.0, 0, {1, 2.5}, 90.0)), Contains(CueKind::found));
+  EXPECT_THAT(kinds(wearer.stay(2.5, lost(0))), Contains(CueKind::uncertain));
+  EXPECT_THAT(wearer.stand(3.5, 0, {1, 2.5}, 90.0), IsEmpty());
+  guide.where_am_i();
+  EXPECT_THAT(kinds(wearer.stand(2.0, 0, {1, 2.5}, 90.0)), Contains(CueKind::found));
 }
 
 TEST_F(GuideTest, ABriefDoubtIsNotWorthAWord) {
@@ -328,6 +357,15 @@ TEST_F(GuideTest, LostItAsksForNoStepWhereNothingIsHeardToBeFree) {
   EXPECT_THAT(kinds(near), Not(Contains(CueKind::probe_step)));
   const auto silent = wearer.hear(40.0, lost(0), [](double) { return Firing::kNoEcho; });
   EXPECT_THAT(kinds(silent), Not(Contains(CueKind::probe_step))) << "a wall that is met aslant is silent too";
+}
+
+TEST_F(GuideTest, LostItTakesAWallBeforeTheChestForNoHand) {
+  (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
+  const auto wall = [](double bearing) { return std::abs(bearing) < 0.1 ? 0.2 : 3.0; };
+  for (const Cue& cue : wearer.hear(40.0, lost(0), wall)) {
+    const auto way = way_asked_for(cue);
+    EXPECT_TRUE(!way || sector_of(*way) != Sector::ahead) << to_string(cue.kind) << " at " << cue.time_s;
+  }
 }
 
 TEST_F(GuideTest, LostItKeepsAWalkerFromWhatTheBeltHearsAhead) {
@@ -495,6 +533,54 @@ TEST_F(GuideTest, TellsOfAPlaceOnceAnApproachToWhoWalksWithoutADestination) {
   (void)walk({0.2, 0.2}, 0.0);  // out of its reach
   EXPECT_THAT(kinds(walk({3.0, 4.0}, 90.0)), Contains(CueKind::place)) << "another approach";
   EXPECT_THAT(kinds(wearer.stand(20.0, 0, {2, 2}, 0.0)), Not(Contains(CueKind::place))) << "another room";
+}
+
+TEST_F(GuideTest, WhoFacesALittleOffOnAPlaceThatIsHardlyKnownIsAskedToTurnSlowly) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  (void)wearer.stand(1.5, 0, {1, 2.5}, 0.0);
+  Estimate vague = at(0, 0, {1, 2.5}, 32.0);
+  vague.sigma_m = 1.0;
+  const auto cues = kinds(wearer.stay(15.0, vague));
+  EXPECT_THAT(cues, Contains(CueKind::probe_turn)) << "silence would leave them there for good";
+  EXPECT_THAT(cues, Not(Contains(CueKind::turn)));
+}
+
+TEST_F(GuideTest, WhoStandsWhereTheEchoesDoNotFitIsToldASlightTurnToo) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  Estimate unfit = at(0, 0, {1, 2.5}, 32.0);
+  (void)wearer.stand(1.5, 0, {1, 2.5}, 0.0);
+  unfit.state = TrackState::lost;
+  const auto cues = wearer.stay(15.0, unfit);
+  const auto turn = std::find_if(cues.begin(), cues.end(), [](const Cue& c) { return c.kind == CueKind::turn || c.tail.present; });
+  ASSERT_NE(turn, cues.end()) << "without it nobody would ever face their way";
+  EXPECT_EQ(sector_of(turn->kind == CueKind::turn ? turn->direction : turn->tail.direction), Sector::slightly_right);
+}
+
+/// A wall heard to that side of the chest where the plan has none.
+auto wall_heard(double direction_deg, double range_m) {
+  return [=](double bearing) { return std::abs(bearing - degrees(direction_deg)) < 0.1 ? range_m : Firing::kNoEcho; };
+}
+
+TEST_F(GuideTest, NobodyIsSentIntoAWallThatTheBeltHearsThoughThePlanHasNone) {
+  const Estimate here = at(0, 0, {2, 2.5}, 0.0);
+  for (const auto& wall : {wall_heard(0.0, 0.22), wall_heard(48.0, 0.16)}) {
+    Listener facing(building);
+    (void)facing.hear(3.0, here, wall);
+    ASSERT_TRUE(facing.guide.set_destination({Goal::Kind::spot, 0, {0, {4, 2.5}}}));
+    const auto cues = facing.hear(12.0, here, wall);
+    EXPECT_FALSE(cues.empty());
+    for (const Cue& cue : cues) EXPECT_NE(cue.kind, CueKind::go_straight) << cue.time_s;
+  }
+}
+
+TEST(Guide, WhoHasNoOtherWayThanAWallThatTheBeltHearsIsAskedToTurnSlowly) {
+  Building narrow;
+  narrow.rooms.push_back(test::make_box("passage", 8.0, 1.0));
+  Listener wearer(narrow);
+  const Estimate here = at(0, 0, {2, 0.5}, 0.0);
+  (void)wearer.hear(3.0, here, wall_heard(0.0, 0.22));
+  ASSERT_TRUE(wearer.guide.set_destination({Goal::Kind::spot, 0, {0, {6, 0.5}}}));
+  EXPECT_THAT(kinds(wearer.hear(16.0, here, wall_heard(0.0, 0.22))), Contains(CueKind::probe_turn));
 }
 
 TEST_F(GuideTest, RepeatsTheLastInstructionWhenAsked) {
@@ -725,6 +811,10 @@ TEST(Guide, SendsTheWearerUpTheStairsAndTellsTheTracker) {
   // On the stairs echoes fit nowhere; that is no loss.
   EXPECT_THAT(wearer.stay(10.0, lost(0)), IsEmpty());
   EXPECT_THAT(kinds(wearer.stand(6.0, 1, {5, 2}, 180.0)), Contains(CueKind::go_straight));
+  const auto over = wearer.guide.take_level_transition();
+  ASSERT_TRUE(over);
+  EXPECT_EQ(over->to, 1);
+  EXPECT_EQ(over->patience_s, 0.0) << "they walk on from there";
 }
 
 /// Somebody who has just been told to take the stairs.

@@ -41,6 +41,8 @@ TEST_F(OutlookTest, LessIsSureTheLessThePositionIs) {
   EXPECT_TRUE(clear(at({0.7, 2.5}, 180.0), 0.0));
   EXPECT_FALSE(clear(at({0.7, 2.5}, 180.0, 0.12), 0.0)) << "the wall may be at half a metre";
   EXPECT_TRUE(clear(at({0.7, 2.5}, 180.0, 0.12), 180.0)) << "but not behind";
+  EXPECT_TRUE(clear(at({1.5, 2.5}, 180.0, 0.2), 0.0));
+  EXPECT_FALSE(clear(at({1.5, 2.5}, 180.0, 0.3), 0.0)) << "a place that is known still less well";
 }
 
 TEST_F(OutlookTest, APositionBehindAWallIsTakenToBeBeforeIt) {

@@ -329,8 +329,7 @@ class Wearer {
     const Room& there = router_.building().room(c.to);
     const Vec2 at = router_.space(c.to).settle(from_a ? link.at_b : link.at_a, 0.4);
     // Who has turned on the half-landing or in the cabin comes out facing back.
-    const double turned = kPi + random_.normal(0.0, degrees(15.0));
-    c.arriving = {at, wrap_angle(c.leaving.heading + here.frame.heading - there.frame.heading + turned)};
+    c.arriving = {at, wrap_angle(c.leaving.heading + here.frame.heading - there.frame.heading + kPi)};
     const int storeys = std::max(1, std::abs(there.level - here.level));
     c.begins_s = now_;
     c.ends_s = now_ + (link.kind == LevelLinkKind::stairs ? kStorey * storeys : kCabin + kCabinStorey * storeys);
@@ -341,6 +340,7 @@ class Wearer {
     crossing_now_ = false;
     last_heard_ = now_;
     body_.set(crossing_.to, crossing_.arriving);
+    turn_left_ = random_.normal(0.0, degrees(15.0));  // nobody steps off quite straight
   }
 
   const Router& router_;

@@ -77,6 +77,56 @@ TEST(LevelLinks, NobodyIsThereAtOnce) {
   EXPECT_GT(found[3], 300);
 }
 
+/// Somebody on the way up to room 2, or who has come out there walking.
+Particle on_the_way() {
+  Particle p;
+  p.room = 1;
+  p.position = {2.0, 2.0};
+  p.gait = Gait::away;
+  p.link_end = 2;
+  return p;
+}
+Particle come_out() {
+  Particle p = on_the_way();
+  p.room = 2;
+  p.position = {3.0, 3.0};
+  p.gait = Gait::walking;
+  p.speed = 0.8;
+  return p;
+}
+
+TEST(LevelLinks, WhoIsLedStandsWhereTheyComeOutUntilTheyAreToldOn) {
+  const Building building = tower();
+  LevelLinks links(building);
+  links.lead(true);
+  links.expect({1, 1, 2, 0.0, 45.0});
+  const auto gait_after_a_second = [&] {
+    Random random(7);
+    Particle p = come_out();
+    for (double t = 20.0; t < 21.5; t += kSlot) links.step(p, t, kSlot, true, random);
+    return p.gait;
+  };
+  EXPECT_EQ(gait_after_a_second(), Gait::standing);
+  links.lead(false);
+  EXPECT_EQ(gait_after_a_second(), Gait::walking) << "who finds their own way walks on";
+  links.lead(true);
+  links.expect({1, 1, 2, 20.0, 0.0});
+  EXPECT_EQ(gait_after_a_second(), Gait::walking) << "they are out, and led on";
+}
+
+TEST(LevelLinks, WhoMustBeOutStandsAtTheOtherEnd) {
+  const Building building = tower();
+  LevelLinks links(building);
+  links.lead(true);
+  links.expect({1, 1, 2, 0.0, 45.0});
+  Random random(7);
+  Particle p = on_the_way();
+  links.land(p, 5.0, true, random);
+  EXPECT_NE(p.gait, Gait::away);
+  EXPECT_EQ(p.room, 2);
+  EXPECT_NEAR(distance(p.position, Vec2{3.0, 3.0}), 0.0, 1e-9);
+}
+
 Shot echo_from(double range) {
   Shot shot;
   shot.echo = true;

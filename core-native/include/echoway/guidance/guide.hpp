@@ -55,7 +55,8 @@ class Guide {
 
   /// Takes the next cue to be spoken; false when there is none.
   bool next_cue(Cue& cue);
-  /// Set once each time the wearer is sent over stairs or into an elevator: pass it to the locator.
+  /// Set once each time the wearer is sent over stairs or into an elevator, and once they are found where it leads: pass it
+  /// to the locator.
   [[nodiscard]] std::optional<LevelTransition> take_level_transition();
 
   /// True once each time the wearer gets nowhere though the plan has a way, in a place that the locator found and nobody

@@ -30,7 +30,7 @@ struct LevelTransition {
   RoomIndex from = kNoRoom;
   RoomIndex to = kNoRoom;
   double time_s = 0.0;           ///< When it was told.
-  double patience_s = 0.0;       ///< How long it may take.
+  double patience_s = 0.0;       ///< How long it may take; 0: they are out.
 };
 
 /// Turns firings and motion hints, in order of time, into estimates. Implementations allocate nothing after start-up on
