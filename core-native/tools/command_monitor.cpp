@@ -86,6 +86,8 @@ class Monitor {
     const auto give_up = Clock::now() + kReturnWait;
     while (!interrupted && Clock::now() < give_up) {
       std::this_thread::sleep_for(std::chrono::milliseconds(kTickMs));
+      session_.on_tick(now());   // What waits for its turn to be said need not wait for the belt.
+      report_.update();
       Result<SerialPort> port = SerialPort::open(options_.port, options_.baud);
       if (port) return std::move(*port);
     }

@@ -1,6 +1,7 @@
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <stdlib.h>
+#include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -25,6 +26,7 @@ namespace echoway::tools {
 namespace {
 
 constexpr std::chrono::milliseconds kLinger{500};
+constexpr int kMostLingers = 10;       // While a listener that is slow to come, or none, leaves sentences unread.
 constexpr double kStatusPeriod = 1.0;  // Seconds of the log between the belt's words about itself.
 
 struct PlayOptions {
@@ -57,6 +59,11 @@ class BeltTerminal {
   [[nodiscard]] const std::string& name() const { return name_; }
   bool send(std::string_view sentence) const {
     return ::write(descriptor_, sentence.data(), sentence.size()) == static_cast<ssize_t>(sentence.size());
+  }
+  /// Whether sentences wait for a listener: hanging up would lose them.
+  [[nodiscard]] bool unread() const {
+    int bytes = 0;
+    return ioctl(listener_side_, FIONREAD, &bytes) == 0 && bytes > 0;
   }
 
  private:
@@ -104,7 +111,10 @@ int play(const PlayOptions& options) {
     if (!terminal.send(to_sentence(seq++, firing, sound_speed).text())) return bad_input({"nobody reads the terminal", terminal.name()});
   }
   // A listener that is still reading must not lose the end to the hang-up.
-  std::this_thread::sleep_for(kLinger);
+  int lingers = 0;
+  do {
+    std::this_thread::sleep_for(kLinger);
+  } while (terminal.unread() && ++lingers < kMostLingers);
   return 0;
 }
 
