@@ -13,6 +13,7 @@ constexpr double kStaleRate = 0.5;          // Seconds for which a yaw rate is h
 constexpr double kFurthestAhead = 5.0;      // Seconds that hints may run ahead of the firings.
 constexpr double kFastestTurn = 10.0;       // rad/s; nobody turns faster, a gyroscope that says so is broken.
 constexpr double kStepLateness = 0.3;
+constexpr double kLogStepMissed = -2.5;     // A detector misses about one step of a dozen.
 constexpr double kRecently = 30.0;          // Seconds since a step for which a detector is fully believed.
 constexpr double kSettled = 1.5;            // Seconds after a step in which the wearer may still be stepping.
 constexpr double kShortestStep = 0.25;      // Seconds between two real steps.
@@ -147,7 +148,7 @@ HintIntegrator::GaitEvidence HintIntegrator::take_gait_evidence(double time_s, d
   // A walker's next step is overdue a little after the usual interval; the detector may miss one and is late.
   const double unknown = heard ? kDefaultStep : kLongestStep;
   const double usual = step_interval_ > 0.0 ? std::min(step_interval_, kLongestStep) : unknown;
-  if (since > 0.9 * usual + kStepLateness) evidence.walking = fast_exp(-0.9 * trust / usual * seconds);
+  if (since > 0.9 * usual + kStepLateness) evidence.walking = fast_exp(kLogStepMissed * trust / usual * seconds);
   return evidence;
 }
 
