@@ -303,7 +303,7 @@ void BayesLocator::Core::see_who_is_away() {
 }
 
 TrackState BayesLocator::Core::state() const {
-  if (away_ > 0.5 || covered()) return TrackState::searching;
+  if (away_ > kSurelyAway || covered()) return TrackState::searching;
   if (fit_.poor()) return TrackState::lost;
   const bool tracking = summary_.hypotheses[0].probability > kSure && estimate_.sigma_m < kSharp;
   return tracking ? TrackState::tracking : TrackState::searching;

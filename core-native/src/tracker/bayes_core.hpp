@@ -45,7 +45,8 @@ class BayesLocator::Core {
   static constexpr double kLeastScaleSigma = 0.004;  ///< The speed of sound is never known better.
   static constexpr int kConfirmed = 160;             ///< Firings: ten seconds.
   static constexpr int kFewestEchoes = 2;            ///< Less is not worth a search.
-  static constexpr double kPerhapsAway = 0.2;        ///< away_ from which on nobody is looked for in the rooms.
+  static constexpr double kPerhapsAway = 0.2;        ///< away_ from which on nobody is looked for in the rooms,
+  static constexpr double kSurelyAway = 0.5;         ///< and from which on they are taken to be on the stairs.
 
   // Starting.
   void begin();

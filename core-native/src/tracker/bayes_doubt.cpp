@@ -15,7 +15,6 @@ constexpr double kLeastHere = 0.2;                   // What a search, which is 
 constexpr double kDoubtedOdds = 0.5;                 // Of the place that is doubted,
 constexpr double kDoubted = 1.0;                     // which reaches so many metres
 constexpr double kDoubtedTurn = degrees(60.0);       // and so far round.
-constexpr double kSurelyAway = 0.5;                  // Who is on the stairs and asks is out of them.
 constexpr double kLinkOdds = 0.05;                   // The same of the stairs that were to be taken: who finds none is not there.
 
 }  // namespace
@@ -24,9 +23,12 @@ constexpr double kLinkOdds = 0.05;                   // The same of the stairs t
 void BayesLocator::Core::start_doubting() {
   const std::uint64_t now = history_.end();
   doubted_link_ = link_to_take();
-  if (doubted_link_ && away_ > kSurelyAway) land_all();
-  if (doubted_link_) links_.expect({});   // Whether they have taken it or not, they do so no longer.
-  if (doubt_ == Doubt::none) return;
+  if (doubted_link_) {
+    const bool on_it = away_ > kSurelyAway;
+    if (on_it) land_all();
+    links_.expect({});   // Whether they have taken it or not, they do so no longer.
+    if (on_it) return;
+  }
   const bool away = away_ > kPerhapsAway && !doubted_link_;
   if (hearing_test_ != HearingTest::done || away || now < kDoubtWindow) return;
   const std::uint64_t begin = now - kDoubtWindow;

@@ -19,7 +19,6 @@ constexpr std::uint64_t kUnconfirmedPause = 24;      // while no place has prove
 constexpr std::uint64_t kBlindUnconfirmedPause = 32; // and both.
 constexpr int kSecondOpinions = 3;                   // Searches in vain after which a place that looks right is left to prove itself.
 constexpr double kSomewhere = 0.1;                   // Probability of the likeliest place from which on there is something to doubt.
-constexpr double kSurelyAway = 0.5;                  // Who is on the stairs is looked for where they lead.
 
 // In widening circles: a tracker that lost its hold is most often not far off.
 constexpr int kCircles = 3;                          // Round about, nearby, everywhere.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tracker/elementary.hpp"
+#include "tracker/motion.hpp"
 
 namespace echoway::tracker {
 namespace {
@@ -38,11 +39,8 @@ bool happens(double rate, double seconds, Random& random) noexcept {
 }
 
 void stand(Particle& p) noexcept {
-  constexpr double kShuffle = 0.03;  // m/s
   p.gait = Gait::standing;
-  p.speed = 0.0;
-  p.cov.xs = p.cov.ys = p.cov.sk = 0.0;
-  p.cov.ss = kShuffle * kShuffle;
+  forget_speed(p, 0.0, MotionParameters{}.standing_sigma);
 }
 
 }  // namespace

@@ -30,12 +30,6 @@ double on_the_spot(double rate) noexcept {
   return std::clamp((std::abs(rate) - kWalkersTurn) / (kTurnOnTheSpot - kWalkersTurn), 0.0, 1.0);
 }
 
-void forget_speed(Particle& p, double speed, double sigma) noexcept {
-  p.speed = speed;
-  p.cov.xs = p.cov.ys = p.cov.sk = 0.0;
-  p.cov.ss = sigma * sigma;
-}
-
 void scale_speed_row(Covariance& c, double f) noexcept {
   c.xs *= f;
   c.ys *= f;

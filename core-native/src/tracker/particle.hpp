@@ -42,4 +42,11 @@ struct Particle {
   std::array<std::uint8_t, kMaxSensors> strangers{};   ///< Per sensor: chance, of 255, that its last echo came from nothing in the plan.
 };
 
+/// Another speed, m/s, of standard deviation `sigma`, that nothing known so far tells anything about.
+inline void forget_speed(Particle& p, double speed, double sigma) noexcept {
+  p.speed = speed;
+  p.cov.xs = p.cov.ys = p.cov.sk = 0.0;
+  p.cov.ss = sigma * sigma;
+}
+
 }  // namespace echoway::tracker
