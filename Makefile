@@ -75,6 +75,13 @@ tracker-figures: core ## The tracker on many walks: the table of docs/tracker.md
 	@scripts/tracker_figures.sh $(BUILD)/bin/echoway_eval $(TRACKER_FIGURES)
 	@$(PYTHON) scripts/tracker_figures.py $(TRACKER_FIGURES) docs/tracker.md
 
+LEFT_OUT := $(BUILD)/left-out.json
+.PHONY: leaving-out
+leaving-out: core ## What rooms leave out of their echoes, and what that saves: the tables of docs/leaving-out.md (a minute)
+	@$(BUILD)/bin/echoway_bench --benchmark_filter=^left_out --benchmark_repetitions=5 --benchmark_report_aggregates_only=true \
+	    --benchmark_enable_random_interleaving=true --benchmark_out=$(LEFT_OUT) --benchmark_out_format=json
+	@$(PYTHON) scripts/leaving_out.py $(LEFT_OUT) $(ECHOWAY) docs/leaving-out.md
+
 .PHONY: clean
 clean: ## Remove everything that was built
 	rm -rf $(BUILD)

@@ -8,6 +8,8 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "echoway/building/loader.hpp"
+#include "echoway/session.hpp"
+#include "left_out_table.hpp"
 #include "option_checks.hpp"
 
 namespace echoway::tools {
@@ -88,6 +90,13 @@ int describe_building(const std::string& dir) {
   return 0;
 }
 
+int describe_what_is_left_out(const std::string& dir) {
+  const auto session = Session::open(dir, {});
+  if (!session) return bad_input(session.error());
+  fmt::print("{}", left_out_table((*session)->report_scene(), (*session)->building()));
+  return 0;
+}
+
 }  // namespace
 
 void add_describe(CLI::App& app, int& status) {
@@ -95,7 +104,10 @@ void add_describe(CLI::App& app, int& status) {
       "describe", "Print a building as JSON, placed: metres in the levels' frames, for drawing and for other programs");
   auto dir = std::make_shared<std::string>();
   command->add_option("DIR", *dir, "Building folder")->required()->check(not_empty());
-  command->callback([dir, &status] { status = describe_building(*dir); });
+  auto left_out = std::make_shared<bool>(false);
+  command->add_flag("--left-out", *left_out,
+                    "Instead, a table: what of the plan no echo in a room can depend on, so that firings leave it out, and what that saves");
+  command->callback([dir, left_out, &status] { status = *left_out ? describe_what_is_left_out(*dir) : describe_building(*dir); });
 }
 
 }  // namespace echoway::tools

@@ -17,6 +17,7 @@
 #include "echoway/result.hpp"
 #include "echoway/routing/route.hpp"
 #include "echoway/scene/echo_explainer.hpp"
+#include "echoway/scene/scene_report.hpp"
 
 namespace echoway {
 
@@ -112,6 +113,9 @@ class Session {
   /// The same firings with what in the plan explains each, from where the wearer was when it was fired. The first call
   /// compiles the plan for it.
   [[nodiscard]] std::span<const ExplainedEcho> explain_scan();
+  /// What of the plan no echo in a room can depend on for this belt, and what leaving it out saves. Compiles the whole
+  /// building: for people who want to know, not while somebody walks.
+  [[nodiscard]] SceneReport report_scene() const;
 
  private:
   struct Impl;

@@ -1,7 +1,6 @@
 #include "echoway/scene/scene_report.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "scene/scene.hpp"
 #include "tracker/echo_model.hpp"
@@ -10,40 +9,68 @@ namespace echoway {
 namespace {
 
 using scene::Cell;
+using scene::Reflector;
 using scene::ReflectorKind;
+using scene::RoomScene;
 
-RoomSavings count_room(scene::Scene& compiled, RoomIndex index, const scene::RoomScene& whole) {
-  const scene::RoomScene& room = compiled.room(index);
-  RoomSavings out;
-  out.room = index;
-  out.reflectors = whole.reflectors.size();
-  out.occluders = whole.occluders.size();
-  double cells = 0.0;
+void count(ReflectorKind kind, EchoSources& sources) noexcept {
+  switch (kind) {
+    case ReflectorKind::wall: ++sources.walls; break;
+    case ReflectorKind::corner: ++sources.corners; break;
+    case ReflectorKind::edge: ++sources.edges; break;
+    case ReflectorKind::all_reflective: ++sources.all_reflective; break;
+    case ReflectorKind::mirrored_corner: ++sources.mirrored_corners; break;
+  }
+}
+
+EchoSources count(const std::vector<Reflector>& reflectors) noexcept {
+  EchoSources sources;
+  for (const Reflector& r : reflectors) count(r.kind, sources);
+  return sources;
+}
+
+// Adds what one place keeps, and marks in `heard` what can be heard there.
+void add_place(const Cell& cell, RoomSavings& sums, std::vector<bool>& heard) {
+  sums.plain_floor += cell.plain_floor;
+  sums.listed += static_cast<double>(cell.entries.size());
+  for (const Cell::Entry& entry : cell.entries) heard[entry.reflector] = true;
+  for (const std::uint16_t item : cell.items) {
+    if ((item & Cell::kCoarseOnly) != 0) continue;
+    sums.looked_at += 1.0 / Cell::kSectors;
+    sums.sight_tests += static_cast<double>(cell.entries[item].occluder_count) / Cell::kSectors;
+  }
+}
+
+// Adds up all places that touch the room's floor; returns how many.
+int add_places(scene::Scene& compiled, RoomIndex index, RoomSavings& sums, std::vector<bool>& heard) {
+  const RoomScene& room = compiled.room(index);
+  const Vec2 size{room.cell_size, room.cell_size};
+  int places = 0;
   for (int row = 0; row < room.rows; ++row) {
     for (int column = 0; column < room.columns; ++column) {
-      const Vec2 centre = room.grid_origin + room.cell_size * Vec2{column + 0.5, row + 0.5};
-      if (!room.floor.contains(centre)) continue;
-      const Cell& cell = compiled.cell_at(index, centre);
-      cells += 1.0;
-      out.plain_floor += cell.plain_floor;
-      for (std::size_t s = 0; s < Cell::kSectors; ++s) {
-        for (unsigned i = cell.sector_begin[s]; i < cell.sector_begin[s + 1]; ++i) {
-          if ((cell.items[i] & Cell::kCoarseOnly) != 0) continue;
-          const Cell::Entry& entry = cell.entries[cell.items[i]];
-          const ReflectorKind kind = room.reflectors[entry.reflector].kind;
-          out.considered += 1.0 / Cell::kSectors;
-          out.hidden_tests += static_cast<double>(entry.occluder_count) / Cell::kSectors;
-          out.edges |= kind == ReflectorKind::edge;
-          out.all_reflective |= kind == ReflectorKind::all_reflective;
-        }
-      }
+      const Vec2 low = room.grid_origin + room.cell_size * Vec2{static_cast<double>(column), static_cast<double>(row)};
+      const Vec2 centre = low + 0.5 * size;
+      if (!room.floor.contains(centre) && !room.floor.crossed_by_box(low, low + size)) continue;
+      add_place(compiled.cell_at(index, centre), sums, heard);
+      ++places;
     }
   }
-  if (cells > 0.0) {
-    out.considered /= cells;
-    out.hidden_tests /= cells;
-    out.plain_floor /= cells;
+  return places;
+}
+
+RoomSavings count_room(scene::Scene& compiled, RoomIndex index, const RoomScene& whole) {
+  const std::vector<Reflector>& reflectors = compiled.room(index).reflectors;
+  RoomSavings out;
+  out.room = index;
+  out.within_reach = count(whole.reflectors);
+  out.sight_blockers = whole.occluders.size();
+  std::vector<bool> heard(reflectors.size());
+  const int places = add_places(compiled, index, out, heard);
+  for (std::size_t i = 0; i < heard.size(); ++i) {
+    if (heard[i]) count(reflectors[i].kind, out.heard);
   }
+  if (places == 0) return out;
+  for (double* sum : {&out.listed, &out.looked_at, &out.sight_tests, &out.plain_floor}) *sum /= places;
   return out;
 }
 
@@ -56,24 +83,13 @@ SceneReport report_scene(const Building& building, const BeltConfig& belt) {
   SceneReport report;
   for (std::size_t i = 0; i < building.rooms.size(); ++i) {
     const auto room = static_cast<RoomIndex>(i);
-    report.rooms.push_back(count_room(compiled, room, compiler.compile(room)));
+    const RoomScene whole = compiler.compile(room);
+    report.sources += static_cast<std::size_t>(std::ranges::count_if(whole.reflectors, [](const Reflector& r) { return r.opening < 0; }));
+    report.rooms.push_back(count_room(compiled, room, whole));
     report.levels |= building.rooms[i].level != building.rooms[0].level;
   }
   report.bytes = compiled.memory();
   return report;
-}
-
-std::string to_string(const SceneReport& report, const Building& building) {
-  std::string out = "room            reflectors  looked at  sight tests (of)       edges  all-reflective  no room logic\n";
-  char line[200];
-  for (const RoomSavings& r : report.rooms) {
-    std::snprintf(line, sizeof line, "%-15s %10zu %10.2f %10.2f (%.0f) %12s %15s %13.0f%%\n", building.room(r.room).id.c_str(),
-                  r.reflectors, r.considered, r.hidden_tests, r.considered * static_cast<double>(r.occluders),
-                  r.edges ? "yes" : "left out", r.all_reflective ? "yes" : "left out", 100.0 * r.plain_floor);
-    out += line;
-  }
-  std::snprintf(line, sizeof line, "levels: %s; %.2f MB\n", report.levels ? "yes" : "left out", static_cast<double>(report.bytes) / 1e6);
-  return out + line;
 }
 
 }  // namespace echoway

@@ -242,4 +242,6 @@ std::span<const ExplainedEcho> Session::explain_scan() {
   return std::span(s.explained).first(sensors);
 }
 
+SceneReport Session::report_scene() const { return echoway::report_scene(impl_->building, impl_->config.belt); }
+
 }  // namespace echoway

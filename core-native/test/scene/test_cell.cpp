@@ -5,16 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "echoway/building/loader.hpp"
 #include "echoway/random.hpp"
-#include "echoway/scene/scene_report.hpp"
 #include "scene/scene.hpp"
 #include "scene/visibility.hpp"
 #include "support/plans.hpp"
+#include "support/whole_room.hpp"
 #include "tracker/likelihood.hpp"
 #include "tracker/elementary.hpp"
 #include "tracker/plans.hpp"
@@ -30,45 +29,6 @@ Building furnished_office() {
   b.rooms[0].walls.push_back({{4.0, 0.6}, {4.0, 1.4}});  // A screen in the hall.
   return b;
 }
-
-// Every reflector of a room in every direction, with everything that blocks sight in between: nothing is left out.
-class WholeRoom {
- public:
-  explicit WholeRoom(scene::RoomScene room)
-      : room_(std::move(room)), items_(room_.reflectors.size()) {
-    const auto all = static_cast<std::uint16_t>(room_.occluders.size());
-    for (int twice = 0; twice < 2; ++twice) {
-      for (std::uint16_t k = 0; k < all; ++k) occluders_.push_back(k);
-    }
-    std::iota(items_.begin(), items_.end(), std::uint16_t{0});
-    for (std::uint16_t i : items_) {
-      const int own = room_.reflectors[i].own_index;   // All but what cannot hide itself, beginning after it.
-      if (own < 0) {
-        entries_.push_back({i, 0, all});
-      } else {
-        entries_.push_back({i, static_cast<std::uint16_t>(own + 1), static_cast<std::uint16_t>(all - 1)});
-      }
-    }
-  }
-
-  // The list serves one firing: all of it stands in the sector into which `shot` goes.
-  [[nodiscard]] ExpectedEchoes expect(const tracker::Particle& p, const tracker::Shot& shot, const tracker::EchoModel& model) const {
-    scene::Cell cell;
-    cell.entries = entries_;
-    cell.items = items_;
-    cell.occluders = occluders_;
-    const double part = p.heading / kTwoPi - std::floor(p.heading / kTwoPi);
-    const auto sector = static_cast<std::size_t>(part * scene::Cell::kSectors);
-    for (std::size_t s = sector + 1; s <= scene::Cell::kSectors; ++s) cell.sector_begin[s] = static_cast<std::uint32_t>(items_.size());
-    return tracker::expect_from(cell, room_, p, shot, model);
-  }
-
- private:
-  scene::RoomScene room_;
-  std::vector<std::uint16_t> occluders_;
-  std::vector<std::uint16_t> items_;
-  std::vector<scene::Cell::Entry> entries_;
-};
 
 void expect_same(const ExpectedEchoes& some, const ExpectedEchoes& all) {
   ASSERT_EQ(some.count, all.count);
@@ -94,7 +54,7 @@ int compare_cells(const Building& building, std::size_t stride, int firings_per_
   int compared = 0;
   std::size_t cells = 0;
   for (std::size_t r = 0; r < building.rooms.size(); ++r) {
-    const WholeRoom whole(compiler.compile(static_cast<RoomIndex>(r)));
+    const test::WholeRoom whole(compiler.compile(static_cast<RoomIndex>(r)));
     const scene::RoomScene& room = compiled.room(static_cast<RoomIndex>(r));
     for (int c = 0; c < room.columns * room.rows; ++c) {
       if (cells++ % stride != 0) continue;
@@ -219,18 +179,6 @@ TEST(Cell, KnowsWhatStandsOnTheWayFromAMirrorEvenBesideWhereAllWaysLead) {
   const Vec2 off_wall = 0.5 * (scene::in_front_of(via, p.position, distance(via, p.position)) + corner);
   building.rooms[0].walls.push_back({0.5 * (on_wall + off_wall), on_wall + 8.0 * (off_wall - on_wall)});
   EXPECT_FALSE(hears(building, p, norm(way)));
-}
-
-TEST(SceneReport, SaysWhatARoomDoesNotNeed) {
-  const Building building = furnished_office();
-  const SceneReport report = report_scene(building, {});
-  ASSERT_EQ(report.rooms.size(), building.rooms.size());
-  EXPECT_FALSE(report.levels);
-  EXPECT_TRUE(report.rooms[1].all_reflective);
-  for (const RoomSavings& r : report.rooms) {
-    EXPECT_LT(r.considered, 0.5 * static_cast<double>(r.reflectors));
-    EXPECT_LT(r.hidden_tests, r.considered * static_cast<double>(r.occluders));
-  }
 }
 
 TEST(Scene, LeavesOutBeyondDoorsWhatNobodyInARoomCouldHear) {
