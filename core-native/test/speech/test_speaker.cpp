@@ -149,6 +149,25 @@ TEST_F(SpeakerTest, CallsARoomByItsNameAloneWhenItsIdIsMadeOfIt) {
   EXPECT_EQ(say(entering), "Main corridor.");
 }
 
+TEST_F(SpeakerTest, CallsImportedRoomsAsTheirDoorsDo) {
+  const auto enter = [&](const char* id, const char* name, Language language) {
+    building.rooms.push_back(test::make_box(id, 8, 6, name));
+    Cue entering = make_cue(CueKind::entering);
+    entering.room = static_cast<RoomIndex>(building.rooms.size()) - 1;
+    style.language = language;
+    return say(entering);
+  };
+  EXPECT_EQ(enter("1-room-7", "", Language::english), "Room 7.");
+  EXPECT_EQ(enter("g-room-12", "", Language::german), "Raum 12.");
+  EXPECT_EQ(enter("1-room-7", "", Language::french), "Salle 7.");
+  EXPECT_EQ(enter("2-2-07", "2.07", Language::english), "Room 2.07.");
+  EXPECT_EQ(enter("2-b-12", "B 12", Language::german), "Raum B 12.");
+  EXPECT_EQ(enter("4", "4", Language::french), "Salle 4.");
+  EXPECT_EQ(enter("2-3d-lab", "3D lab", Language::english), "3D lab.");
+  EXPECT_EQ(enter("2-wc", "WC", Language::english), "WC.");
+  EXPECT_EQ(enter("break-room-b", "", Language::english), "Room break-room-b.");
+}
+
 TEST_F(SpeakerTest, NamesLevelsAndUnnamedThings) {
   Cue take = with_landmark(make_cue(CueKind::take_link), CueLandmark::Kind::link, 1);
   take.up = true;

@@ -62,6 +62,11 @@ class WordingTest {
         assertEquals("Hall", name("hall", "Hall"))
         assertEquals("Meeting room", name("2-meeting-room", "Meeting room"))
         assertEquals("Room 3, Küche", name("3", "Küche"))
+        assertEquals("Room 7", name("2-room-7", ""))
+        assertEquals("Room 2.07", name("2-2-07", "2.07"))
+        assertEquals("Room 4", name("4", "4"))
+        assertEquals("3D lab", name("2-3d-lab", "3D lab"))
+        assertEquals("Room break-room-b", name("break-room-b", ""))
     }
 
     @Test fun situations() {
