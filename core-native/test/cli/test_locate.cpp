@@ -76,7 +76,7 @@ TEST_F(Locate, RefusesARestartInARoomThatIsNotThere) {
   ASSERT_TRUE(write_scan_log(*log, prefix_ + ".scans.csv").ok());
   const ProcessResult result = locate({"--start", start_});
   EXPECT_NE(result.status, 0);
-  EXPECT_NE(result.err.find("room nowhere"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find(prefix_ + ".scans.csv: at 1.00 s the walk was started again in room nowhere"), std::string::npos) << result.err;
 }
 
 TEST_F(Locate, GivesTheSameBytesOnEveryRun) {
@@ -142,6 +142,18 @@ TEST_F(Locate, RefusesAStartThatCannotBe) {
     EXPECT_EQ(result.status, 2) << start;
     EXPECT_NE(result.err.find("--start " + start), std::string::npos) << result.err;
   }
+}
+
+TEST_F(Locate, RefusesAStartFarOutsideItsRoomAndSaysWhereTheRoomIs) {
+  // Feet where metres are asked for: the room is 3.66 by 4.27 m.
+  const ProcessResult far = locate({"--start", "1,10,5,90"});
+  EXPECT_EQ(far.status, 2);
+  EXPECT_NE(far.err.find("--start 1,10,5,90: (10, 5) lies "), std::string::npos) << far.err;
+  EXPECT_NE(far.err.find(" m outside room 1, whose floor is between (0, 0) and ("), std::string::npos) << far.err;
+  EXPECT_FALSE(std::filesystem::exists(track_));
+  EXPECT_EQ(run_echoway({"monitor", "--building", kLab, "--port", "/no/such", "--start", "1,10,5,90"}).err, far.err);
+  // Who stands in a doorway has a foot in the next room.
+  EXPECT_EQ(locate({"--start", "1,1,-0.4,90"}).status, 0);
 }
 
 }  // namespace
