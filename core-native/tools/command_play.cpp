@@ -5,6 +5,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -28,6 +29,8 @@ namespace {
 constexpr std::chrono::milliseconds kLinger{500};
 constexpr int kMostLingers = 10;       // While a listener that is slow to come, or none, leaves sentences unread.
 constexpr double kStatusPeriod = 1.0;  // Seconds of the log between the belt's words about itself.
+constexpr double kLongestFlightUs = 1e6;  // That a sentence holds (docs/wire-protocol.md).
+constexpr double kLongestWaitS = 1e9;     // Clocks count no farther than centuries.
 
 struct PlayOptions {
   std::string scans;
@@ -72,10 +75,11 @@ class BeltTerminal {
   std::string name_;
 };
 
-/// The firing as the belt sends it: a time of flight in whole microseconds.
+/// The firing as the belt sends it: a time of flight in whole microseconds. What takes longer than any belt listens is no echo.
 EncodedSentence to_sentence(std::uint16_t seq, const Firing& firing, double sound_speed_mps) {
   EchoSentence echo{seq, static_cast<std::uint8_t>(firing.sensor), std::nullopt};
-  if (firing.has_echo()) echo.tof_us = static_cast<std::uint32_t>(std::lround(2e6 * firing.range_m / sound_speed_mps));
+  const double flight_us = 2e6 * firing.range_m / sound_speed_mps;
+  if (firing.has_echo() && flight_us < kLongestFlightUs) echo.tof_us = static_cast<std::uint32_t>(std::lround(flight_us));
   return encode(echo);
 }
 
@@ -102,7 +106,7 @@ int play(const PlayOptions& options) {
   double status_due = first;
   std::uint16_t seq = 0;
   for (const Firing& firing : log->firings) {
-    const std::chrono::duration<double> due{(firing.time_s - first) / options.speed};
+    const std::chrono::duration<double> due{std::min((firing.time_s - first) / options.speed, kLongestWaitS)};
     std::this_thread::sleep_until(begin + std::chrono::duration_cast<Clock::duration>(due));
     if (firing.time_s >= status_due) {
       terminal.send(status.text());

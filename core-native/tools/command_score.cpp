@@ -29,8 +29,8 @@ int score(const ScoreOptions& options) {
   if (!track) return bad_input(track.error());
   const Result<std::vector<TruthRow>> truth = read_truth_log(options.truth);
   if (!truth) return bad_input(truth.error());
-  const Result<Score> result = score_track(*track, *truth, *building);
-  if (!result) return bad_input({result.error().message, options.track});
+  const Result<Score> result = score_track(*track, *truth, *building, {options.track, options.truth});
+  if (!result) return bad_input(result.error());
   fmt::print("rows             {}\n", result->rows);
   if (result->rows_nowhere > 0) fmt::print("without a room   {}, left out\n", result->rows_nowhere);
   fmt::print("position error   mean {}, median {}, worst {}\n", metres_and_feet(result->mean_error_m),

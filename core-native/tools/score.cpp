@@ -32,8 +32,8 @@ Placed interpolate(const TruthRow& before, const Placed& from, const TruthRow& a
            wrap_angle(from.pose.heading + share * turn)}};
 }
 
-Error unknown_room(const std::string& log, const std::string& room) {
-  return {log + " names room '" + room + "', which the building does not have"};
+Error unknown_room(const std::string& log, const std::string& file, const std::string& room) {
+  return {log + " names room '" + room + "', which the building does not have", file};
 }
 
 /// By how much a row is off.
@@ -44,13 +44,14 @@ struct Miss {
   bool within_two_sigma = false;
 };
 
-Result<Miss> miss_of(const TrackRow& row, const TruthRow& before, const TruthRow& after, const Building& building) {
+Result<Miss> miss_of(const TrackRow& row, const TruthRow& before, const TruthRow& after, const Building& building,
+                     const ScoredFiles& files) {
   const std::optional<Placed> from = place(before, building);
   const std::optional<Placed> to = place(after, building);
   const std::optional<Placed> estimate = place(row.where, building);
-  if (!estimate) return unknown_room("the track", row.where.room);
-  if (!from) return unknown_room("the truth", before.room);
-  if (!to) return unknown_room("the truth", after.room);
+  if (!estimate) return unknown_room("the track", files.track, row.where.room);
+  if (!from) return unknown_room("the truth", files.truth, before.room);
+  if (!to) return unknown_room("the truth", files.truth, after.room);
   const Placed real = interpolate(before, *from, after, *to, row.where.time_s);
   const double error = distance(real.pose.position, estimate->pose.position);
   return Miss{error, std::abs(wrap_angle(real.pose.heading - estimate->pose.heading)), estimate->room == real.room,
@@ -78,8 +79,9 @@ Score summed_up(const std::vector<Miss>& misses) {
 }  // namespace
 
 Result<Score> score_track(const std::vector<TrackRow>& track, const std::vector<TruthRow>& truth,
-                          const Building& building) {
-  if (truth.empty()) return Error{"the truth log has no rows"};
+                          const Building& building, const ScoredFiles& files) {
+  if (truth.empty()) return Error{"the truth log has no rows", files.truth};
+  if (track.empty()) return Error{"the track has no rows", files.track};
   std::vector<Miss> misses;
   std::size_t nowhere = 0;
   std::size_t next = 0;
@@ -91,12 +93,12 @@ Result<Score> score_track(const std::vector<TrackRow>& track, const std::vector<
       continue;
     }
     while (next + 1 < truth.size() && truth[next + 1].time_s < time) ++next;
-    const Result<Miss> miss = miss_of(row, truth[next], truth[std::min(next + 1, truth.size() - 1)], building);
+    const Result<Miss> miss = miss_of(row, truth[next], truth[std::min(next + 1, truth.size() - 1)], building, files);
     if (!miss) return miss.error();
     misses.push_back(*miss);
   }
   if (misses.empty()) {
-    return Error{nowhere > 0 ? "the track names no room while there is truth" : "track and truth share no time"};
+    return Error{nowhere > 0 ? "the track names no room while there is truth" : "track and truth share no time", files.track};
   }
   Score score = summed_up(misses);
   score.rows_nowhere = nowhere;

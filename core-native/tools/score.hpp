@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "echoway/building/building.hpp"
@@ -20,9 +21,15 @@ struct Score {
   double within_two_sigma_share = 0.0;
 };
 
+/// Where the logs came from: errors name the one at fault.
+struct ScoredFiles {
+  std::string track;
+  std::string truth;
+};
+
 /// Truth between two of its rows is interpolated; track rows outside the truth's time are left out. Fails when a room is
-/// unknown or the logs do not overlap.
+/// unknown, a log is empty or the logs do not overlap.
 Result<Score> score_track(const std::vector<TrackRow>& track, const std::vector<TruthRow>& truth,
-                          const Building& building);
+                          const Building& building, const ScoredFiles& files);
 
 }  // namespace echoway::tools

@@ -67,6 +67,15 @@ TEST(Monitor, RefusesABeltOfAnotherNumberOfSensorsThanIsThought) {
   EXPECT_NE(read_until(followed, {"sentences; dropped"}).find("4 sentences; dropped 0"), std::string::npos);
 }
 
+TEST(Monitor, HearsNothingWhereALogHasAnEchoFromBeyondWhatASentenceHolds) {
+  const TemporaryFolder folder;
+  const std::string log = folder.write("log.csv", "time_s,sensor,range_m\n0,0,9000\n0.1,1,1.5\n0.2,2,400\n").string();
+  BackgroundEchoway belt({"play", "--scans", log});
+  BackgroundEchoway monitor({"monitor", "--building", kLab, "--port", belt.read_line()});
+  const std::string heard = read_until(monitor, {"sentences; dropped"});
+  EXPECT_NE(heard.find("4 sentences; dropped 0 with a bad checksum, 0 malformed; 0 firings lost\n"), std::string::npos) << heard;
+}
+
 TEST(Monitor, SaysWhatIsWrongWithAPort) {
   const auto missing = run_echoway({"monitor", "--building", kLab, "--port", "/no/such/port"});
   EXPECT_EQ(missing.status, 2);

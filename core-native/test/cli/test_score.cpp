@@ -56,6 +56,15 @@ TEST(Score, RefusesLogsThatHaveNothingInCommon) {
   EXPECT_NE(result.err.find("share no time"), std::string::npos) << result.err;
 }
 
+TEST(Score, SaysOfATrackThatItIsEmpty) {
+  const TemporaryFolder folder;
+  const auto truth = folder.write("truth.csv", "time_s,room,x_m,y_m,heading_deg\n0,4,1.0,1.0,0\n");
+  const auto track = folder.write("track.csv", "time_s,room,x_m,y_m,heading_deg,sigma_m,room_probability,state\n");
+  const auto result = run_echoway({"score", "--building", kLab, "--track", track.string(), "--truth", truth.string()});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.err, track.string() + ": the track has no rows\n");
+}
+
 TEST(Score, NamesARoomThatTheBuildingDoesNotHave) {
   const TemporaryFolder folder;
   const auto truth = folder.write("truth.csv", "time_s,room,x_m,y_m,heading_deg\n0,4,1.0,1.0,0\n9,cellar,1,1,0\n");
@@ -63,7 +72,7 @@ TEST(Score, NamesARoomThatTheBuildingDoesNotHave) {
       "track.csv", "time_s,room,x_m,y_m,heading_deg,sigma_m,room_probability,state\n5,4,1,1,0,0.2,1,tracking\n");
   const auto result = run_echoway({"score", "--building", kLab, "--track", track.string(), "--truth", truth.string()});
   EXPECT_EQ(result.status, 2);
-  EXPECT_NE(result.err.find("the truth names room 'cellar'"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("truth.csv: the truth names room 'cellar'"), std::string::npos) << result.err;
 }
 
 }  // namespace
