@@ -22,7 +22,9 @@ std::optional<Doorway> Doorway::of(const Router& router, RoomIndex room, std::in
   return std::nullopt;
 }
 
-double Doorway::aside(Vec2 at) const noexcept { return std::abs(dot(at - passage_.centre, perpendicular(passage_.inward))); }
+double Doorway::crossing(Vec2 from, Vec2 ahead) const noexcept {
+  return beside(from + (before(from) / -dot(ahead, passage_.inward)) * ahead);
+}
 
 bool Doorway::lets_through(Vec2 from, Vec2 to, bool begun) const noexcept {
   constexpr double kSlant = 0.7;  // cosine of 45 degrees

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "echoway/geometry/pose2.hpp"
@@ -25,12 +26,22 @@ class Doorway {
   /// that. `sigma_m`: of the pose's position.
   [[nodiscard]] std::optional<Vec2> slant(const Pose2& pose, double sigma_m, bool begun) const noexcept;
 
+  [[nodiscard]] Vec2 centre() const noexcept { return passage_.centre; }
+  [[nodiscard]] double width() const noexcept { return width_; }
+  /// Which way leads through, as a unit vector and in radians; and along the wall that it is in.
+  [[nodiscard]] Vec2 through() const noexcept { return -1.0 * passage_.inward; }
+  [[nodiscard]] double axis() const noexcept { return std::atan2(-passage_.inward.y, -passage_.inward.x); }
+  [[nodiscard]] Vec2 along() const noexcept { return perpendicular(passage_.inward); }
+  /// Metres from that wall,
+  [[nodiscard]] double before(Vec2 at) const noexcept { return dot(at - passage_.centre, passage_.inward); }
+  /// and from the axis, positive towards `along`.
+  [[nodiscard]] double beside(Vec2 at) const noexcept { return dot(at - passage_.centre, along()); }
+  /// The same where somebody comes through the wall who goes from `from` to `ahead`, which leads there.
+  [[nodiscard]] double crossing(Vec2 from, Vec2 ahead) const noexcept;
+
  private:
   Doorway(const Passage& passage, double width, double body_m) : passage_(passage), width_(width), body_m_(body_m) {}
-  /// Metres from the door's wall,
-  [[nodiscard]] double before(Vec2 at) const noexcept { return dot(at - passage_.centre, passage_.inward); }
-  /// and from its axis.
-  [[nodiscard]] double aside(Vec2 at) const noexcept;
+  [[nodiscard]] double aside(Vec2 at) const noexcept { return std::abs(beside(at)); }
 
   Passage passage_;
   double width_;

@@ -136,7 +136,9 @@ bool Follower::lingers(const View& view) {
 
 void Follower::update(const Estimate& newest, bool vague, bool turning, Announcer& voice) {
   reaction_.watch(newest);
-  const Estimate e = standing_.settle(newest, walks(newest));
+  const Estimate tracked = standing_.settle(newest, walks(newest));
+  steering_.watch_place(tracked, walks(newest));
+  const Estimate e = steering_.place(tracked);
   if (!active() || e.time_s < next_look_ || is_on_stairs(e, voice)) return;
   next_look_ = e.time_s + config_->renew_s;
   if (!find_way(e)) {
@@ -156,7 +158,7 @@ void Follower::update(const Estimate& newest, bool vague, bool turning, Announce
 void Follower::lead_on(const View& view, bool turning, Announcer& voice) {
   const bool holding = steering_.is_holding(view.now);
   if (arrival_.tell(view, holding, voice) || levels_.take(view, voice) || holding) return;
-  if (steering_.halt(view, voice) || turning || steering_.turn(view, voice) || steering_.go_on(view, voice)) return;
+  if (steering_.point_to_door(view, voice) || steering_.halt(view, voice) || turning || steering_.turn(view, voice) || steering_.go_on(view, voice)) return;
   herald_.tell(view, voice);
 }
 
@@ -166,8 +168,9 @@ std::optional<double> Follower::direction_from(const Estimate& e) {
 }
 
 CueTail Follower::next_step(const Estimate& e) {
-  if (!active() || !find_way(e)) return {};
-  return steering_.as_tail(look(e, false));
+  const Estimate here = steering_.place(e);
+  if (!active() || !find_way(here)) return {};
+  return steering_.as_tail(look(here, false));
 }
 
 }  // namespace echoway::guidance

@@ -52,16 +52,33 @@ std::optional<double> HeardSpace::way(double direction, double now) const noexce
   return free.value_or(kUnheard);
 }
 
+std::optional<double> HeardSpace::steady(int sensor, double now) const noexcept {
+  constexpr double kSteady = 0.1;  // metres from one pass to the next
+  const auto range = fresh(sensor, now);
+  const bool holds = range && std::abs(*range - heard_[static_cast<std::size_t>(sensor)].before_m) <= kSteady;
+  return holds ? range : std::nullopt;
+}
+
 std::optional<double> HeardSpace::wall(double direction, double now) const noexcept {
   constexpr double kBeyond = degrees(55.0);  // off the direction, what answers lies beside the way
-  constexpr double kSteady = 0.1;            // metres from one pass to the next
   std::optional<double> nearest;
   for (int i = 0; i < belt_->sensors; ++i) {
-    const auto range = fresh(i, now);
+    const auto range = steady(i, now);
     const double aside = wrap_angle(belt_->bearing(i) - direction);
-    if (!range || std::abs(aside) > kBeyond || std::abs(*range - heard_[static_cast<std::size_t>(i)].before_m) > kSteady) continue;
+    if (!range || std::abs(aside) > kBeyond) continue;
     const double on = *range / std::cos(aside);
     nearest = nearest ? std::min(*nearest, on) : on;
+  }
+  return nearest;
+}
+
+std::optional<double> HeardSpace::toward(double direction, double now) const noexcept {
+  const double half = 0.75 * kTwoPi / belt_->sensors;
+  std::optional<double> nearest;
+  for (int i = 0; i < belt_->sensors; ++i) {
+    const auto range = steady(i, now);
+    if (!range || std::abs(wrap_angle(belt_->bearing(i) - direction)) > half) continue;
+    nearest = nearest ? std::min(*nearest, *range) : *range;
   }
   return nearest;
 }

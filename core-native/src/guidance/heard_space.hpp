@@ -22,6 +22,8 @@ class HeardSpace {
   /// How far somebody who stands can go to that side before the nearest wall, if each steady echo came from one straight
   /// before its sensor, metres. None where none is heard.
   [[nodiscard]] std::optional<double> wall(double direction, double now) const noexcept;
+  /// Distance of the nearest steady echo that comes from there, metres from the wearer's middle.
+  [[nodiscard]] std::optional<double> toward(double direction, double now) const noexcept;
   /// Distance of the nearest echo within a sensor's spacing of straight ahead, metres from the chest's middle.
   [[nodiscard]] std::optional<double> ahead(double now) const noexcept;
 
@@ -33,6 +35,8 @@ class HeardSpace {
   };
   /// What a sensor hears, from the wearer's middle; none when nothing, or not any more.
   [[nodiscard]] std::optional<double> fresh(int sensor, double now) const noexcept;
+  /// The same where it heard that a pass before too.
+  [[nodiscard]] std::optional<double> steady(int sensor, double now) const noexcept;
 
   const BeltConfig* belt_;
   std::array<Heard, kMaxSensors> heard_{};

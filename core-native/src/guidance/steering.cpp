@@ -30,6 +30,7 @@ constexpr double kQuiteStuck = 8.0;
 void Steering::forget() noexcept {
   pacing_ = {};
   stretch_.forget();
+  frame_.forget();
 }
 
 void Steering::tell_again() noexcept {
@@ -45,6 +46,10 @@ bool Steering::watch_stretch(const View& view) noexcept {
     case Stretch::Outcome::short_of:
       return true;
     case Stretch::Outcome::met:
+      if (frame_.meet(view, *way_)) {
+        note_frame();
+        return true;
+      }
       way_->hindrances().touch(view.estimate->room, view.estimate->pose, kAhead, view.now);
       break;
     case Stretch::Outcome::not_begun:
@@ -52,6 +57,24 @@ bool Steering::watch_stretch(const View& view) noexcept {
       break;
   }
   return false;
+}
+
+void Steering::note_frame() noexcept {
+  begin_leg();
+  pacing_.door_due = true;
+}
+
+bool Steering::point_to_door(const View& view, Announcer& voice) {
+  // Once an instruction: who stands hears the same again and again.
+  if (!view.walking && pacing_.last_said >= frame_.last_met() && frame_.hear(view, *way_)) note_frame();
+  const LinePoint* door = way_->first_door().door;
+  if (!pacing_.door_due || door == nullptr || !voice.is_free(view.now)) return false;
+  pacing_.door_due = false;
+  Cue cue = make_cue(CueKind::door);
+  cue.urgency = Urgency::turn;  // where to go then does not cut it off
+  cue.direction = direction_to(view.estimate->pose, door->at);
+  cue.has_direction = true;
+  return sector_of(cue.direction) != Sector::ahead && voice.offer(cue, view.now);
 }
 
 void Steering::hold_after(const Cue& cue, const View& view) {

@@ -3,6 +3,7 @@
 #include "guidance/announcer.hpp"
 #include "guidance/aim.hpp"
 #include "guidance/heard_space.hpp"
+#include "guidance/met_frame.hpp"
 #include "guidance/outlook.hpp"
 #include "guidance/side_step.hpp"
 #include "guidance/stretch.hpp"
@@ -18,14 +19,20 @@ class Steering {
   /// REQUIRES: all outlive this.
   Steering(const Router& router, const GuideConfig& config, Way& way, Aim& aim, Reaction& reaction, const HeardSpace& heard)
       : router_(&router), config_(&config), way_(&way), aim_(&aim), reaction_(&reaction), heard_(&heard),
-        outlook_(router, config, way.hindrances(), reaction) {}
+        frame_(router, config, heard), outlook_(router, config, way.hindrances(), reaction) {}
 
   void forget() noexcept;
   /// Things that the wearer has met on the stretch that they were told. True while it looks as if they have just met one:
   /// where to go then is soon told better.
   [[nodiscard]] bool watch_stretch(const View& view) noexcept;
 
+  /// Where the wearer is by what they have met. `estimate` is by the tracker alone.
+  void watch_place(const Estimate& estimate, bool walking) noexcept { frame_.watch(estimate, walking); }
+  [[nodiscard]] Estimate place(const Estimate& estimate) const noexcept { return frame_.place(estimate); }
+
   // Each offers at most one line; true when that is all there is to say now.
+  /// Where the door is, to who has just met its frame or hears a wall where the plan has it.
+  [[nodiscard]] bool point_to_door(const View& view, Announcer& voice);
   /// "Stop" before a wall in the walking direction, nearer than the wearer can be turned in.
   [[nodiscard]] bool halt(const View& view, Announcer& voice);
   /// A turn, or a bend while walking.
@@ -51,6 +58,7 @@ class Steering {
     bool straight_due = true;    ///< "Go straight" has not been said on this leg.
     double hold_until = -1e300;  ///< The last instruction is still being carried out.
     double last_said = -1e300;
+    bool door_due = false;         ///< The wearer has met the frame of a doorway and shall know where it is.
     double looked_round = -1e300;  ///< The wearer was asked to turn slowly.
   };
   [[nodiscard]] bool say_turn(const View& view, Announcer& voice);
@@ -58,6 +66,7 @@ class Steering {
   [[nodiscard]] static bool is_settling(const View& view) noexcept;
   [[nodiscard]] bool is_stuck(const View& view, double seconds) const noexcept;
   [[nodiscard]] bool hears_wall(const View& view, double direction);
+  void note_frame() noexcept;
   [[nodiscard]] bool face_way(const View& view, Announcer& voice);
   [[nodiscard]] bool look_round(const View& view, Announcer& voice);
   [[nodiscard]] bool leave_tight_spot(const View& view, Announcer& voice);
@@ -78,6 +87,7 @@ class Steering {
   Aim* aim_;
   Reaction* reaction_;
   const HeardSpace* heard_;
+  MetFrame frame_;
   Outlook outlook_;
   Stretch stretch_;
   Pacing pacing_;

@@ -87,6 +87,35 @@ TEST(ClosedLoop, WhoMeetsAThingThatNobodySawIsLedRoundIt) {
   EXPECT_GE(arrived, kAgain - 1);
 }
 
+/// A place that is off by so much all along, in the room's frame, though it is taken for well known.
+class PlaceAside : public test::NoisyTruth {
+ public:
+  PlaceAside(std::uint64_t seed, Vec2 off) : NoisyTruth(0.08, degrees(4.0), seed), off_(off) {}
+  void observe(double time_s, RoomIndex room, const Pose2& pose, double speed, Guide& guide) override {
+    NoisyTruth::observe(time_s, room, {pose.position + off_, pose.heading}, speed, guide);
+  }
+
+ private:
+  Vec2 off_;
+};
+
+TEST(ClosedLoop, WhoIsTakenToBeBesideWhereTheyStandFindsTheDoorAllTheSame) {
+  const Building rooms = test::make_grid(2, 1, 4.0);
+  const Router router(rooms);
+  constexpr int kAgain = 10;
+  for (const double off : {-0.6, -0.4, 0.4, 0.6}) {
+    int arrived = 0;
+    for (std::uint64_t seed = 0; seed < kAgain; ++seed) {
+      PlaceAside source(seed, {0.0, off});
+      Random random(seed);
+      const Spot start{0, {1.0, random.uniform(0.8, 3.2)}};
+      const WalkOutcome o = test::walk_blindfolded(router, start, 0.0, {Goal::Kind::spot, 0, {1, {3.0, 2.0}}}, source, {}, seed);
+      arrived += o.arrived ? 1 : 0;
+    }
+    EXPECT_GE(arrived, kAgain - 1) << off;
+  }
+}
+
 TEST(ClosedLoop, NothingIsSaidTwiceInTenSecondsUnlessAsked) {
   for (const WalkOutcome& o : office().outcomes) {
     for (std::size_t i = 0; i < o.cues.size(); ++i) {

@@ -583,6 +583,49 @@ TEST(Guide, WhoHasNoOtherWayThanAWallThatTheBeltHearsIsAskedToTurnSlowly) {
   EXPECT_THAT(kinds(wearer.hear(16.0, here, wall_heard(0.0, 0.22))), Contains(CueKind::probe_turn));
 }
 
+/// The first line that tells where to go.
+std::optional<Cue> first_step(const std::vector<Cue>& cues) {
+  const auto step = std::find_if(cues.begin(), cues.end(), [](const Cue& c) {
+    return c.kind == CueKind::turn || c.kind == CueKind::bear || c.kind == CueKind::go_straight;
+  });
+  return step == cues.end() ? std::nullopt : std::optional(*step);
+}
+
+TEST_F(GuideTest, WhoHearsAWallWhereTheDoorShouldBeIsLedAlongItAndNotIntoIt) {
+  const Estimate before_door = at(0, 0, {4.6, 2.5}, 0.0);
+  (void)wearer.hear(3.0, before_door, wall_heard(0.0, 0.25));
+  ASSERT_TRUE(guide.set_destination({Goal::Kind::spot, 0, {1, {3, 2.5}}}));
+  const auto cues = wearer.hear(30.0, before_door, wall_heard(0.0, 0.25));
+  const auto door = std::find_if(cues.begin(), cues.end(), [](const Cue& c) { return c.kind == CueKind::door; });
+  ASSERT_NE(door, cues.end());
+  EXPECT_NE(sector_of(door->direction), Sector::ahead);
+  const auto step = first_step(cues);
+  ASSERT_TRUE(step);
+  EXPECT_EQ(step->kind, CueKind::turn);
+  EXPECT_GT(std::abs(step->direction), degrees(45.0));
+}
+
+TEST_F(GuideTest, WhoWalksIntoTheFrameOfADoorHearsWhereTheDoorIsAndIsLedThere) {
+  for (const double side : {1.0, -1.0}) {
+    Listener bumps(building);
+    ASSERT_TRUE(bumps.guide.set_destination({Goal::Kind::spot, 0, {1, {3, 2.5}}}));
+    EXPECT_THAT(kinds(bumps.stand(6.0, 0, {4.0, 2.5}, side * 8.0)), Contains(CueKind::go_straight));
+    Estimate walking = at(0, 0, {4.0, 2.5}, side * 8.0);
+    walking.speed_mps = 0.6;
+    for (const double end = bumps.now + 1.1; bumps.now < end;) {
+      walking.pose.position = walking.pose.position + 0.6 * kSlot * unit_from_angle(walking.pose.heading);
+      (void)bumps.stay(kSlot, walking);
+    }
+    const auto cues = bumps.stand(12.0, 0, walking.pose.position, side * 8.0);
+    const auto door = std::find_if(cues.begin(), cues.end(), [](const Cue& c) { return c.kind == CueKind::door; });
+    ASSERT_NE(door, cues.end()) << side;
+    EXPECT_LT(side * door->direction, 0.0) << "the frame was met on the side that they walked to";
+    const auto step = first_step(cues);
+    ASSERT_TRUE(step) << side;
+    EXPECT_LT(side * step->direction, 0.0) << side;
+  }
+}
+
 TEST_F(GuideTest, RepeatsTheLastInstructionWhenAsked) {
   ASSERT_TRUE(guide.set_destination("Lectern"));
   EXPECT_FALSE(guide.repeat()) << "nothing was told yet";

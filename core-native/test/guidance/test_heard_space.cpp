@@ -59,5 +59,16 @@ TEST(HeardSpace, HandsAreBesideTheWearerAndNotBeforeThem) {
   EXPECT_TRUE(heard.wall(0.0));
 }
 
+TEST(HeardSpace, WhatIsHeardToASideIsTheNearestSteadyEchoFromThere) {
+  Heard heard;
+  for (int i = 0; i < 2; ++i) heard.pass(0.0, 0.3);
+  const auto toward = [&](double direction) { return heard.space.toward(direction, heard.now - kPass); };
+  ASSERT_TRUE(toward(degrees(10.0)));
+  EXPECT_NEAR(*toward(degrees(10.0)), 0.3 + heard.belt.radius_m, 1e-9);
+  EXPECT_FALSE(toward(degrees(48.0))) << "it is elsewhere";
+  heard.pass(0.0, 0.9);
+  EXPECT_FALSE(toward(0.0)) << "it moves";
+}
+
 }  // namespace
 }  // namespace echoway::guidance
