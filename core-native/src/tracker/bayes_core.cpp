@@ -76,7 +76,7 @@ bool BayesLocator::Core::on_firing(const Firing& firing) {
   if (const auto rate = hints_.take_still_rate()) stand_still(*rate);
   const auto gait = hints_.take_gait_evidence(firing.time_s, record.interval.seconds);
   if (!main_.empty()) track(record, gait);
-  if (model_ == &deafened_ && record.echo && record.range > kHardOfHearingRange && hears_far()) model_ = &keen_;
+  choose_model(record);
   pursue_search();
   if (!main_.empty()) thin_out(main_);
   for (Rival& rival : rivals_) {
@@ -117,6 +117,16 @@ Record BayesLocator::Core::take_down(const Firing& firing, double seconds) {
   const double novelty = novelty_.of(firing.sensor);
   record.novelty = options_.parts.novelty && !main_.empty() ? novelty : 1.0;
   return record;
+}
+
+// A belt that was taken for one of weak sensors shows what it is by hearing from afar. A search under way weighs all places
+// alike.
+void BayesLocator::Core::choose_model(const Record& record) {
+  const bool from_afar = record.echo && record.range > kHardOfHearingRange;
+  if (model_ == &deafened_ && !(from_afar && hears_far())) return;
+  if (model_ != &deafened_ && search_.running()) return;
+  const bool known = !main_.empty() && unconfirmed_ == 0;
+  model_ = known ? &wary_ : &keen_;
 }
 
 // Where several places are possible the estimate jumps between them while the wearer stands: what counts is how the

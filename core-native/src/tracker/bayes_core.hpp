@@ -57,6 +57,7 @@ class BayesLocator::Core {
   // A firing.
   [[nodiscard]] bool tell_time(double time_s, double& seconds);
   [[nodiscard]] tracker::Record take_down(const Firing& firing, double seconds);
+  void choose_model(const tracker::Record& record);
   void follow_movement(const tracker::Interval& interval);
   [[nodiscard]] tracker::Shot aim(const tracker::Record& record) const;
   /// What a population made of a reading.
@@ -108,9 +109,10 @@ class BayesLocator::Core {
   BeltConfig belt_;
   Start start_;
   BayesOptions options_;
-  tracker::EchoModel keen_;
+  tracker::EchoModel keen_;                    ///< Tells places apart: for who is looked for,
+  tracker::EchoModel wary_;                    ///< and this for who is followed, once the place has proved itself.
   tracker::EchoModel deafened_;                ///< Of a belt that hears only what is near.
-  const tracker::EchoModel* model_ = &keen_;   ///< Whichever explains this belt.
+  const tracker::EchoModel* model_ = &keen_;   ///< Whichever serves at the moment.
   enum class HearingTest { due, running, done } hearing_test_ = HearingTest::due;
   double log_evidence_keen_ = 0.0;
   enum class Doubt { none, due, running } doubt_ = Doubt::none;   ///< Raised by who leads the wearer.

@@ -34,6 +34,7 @@ void BayesLocator::Core::start_doubting() {
   const std::uint64_t begin = now - kDoubtWindow;
   if (echoes_since(begin) < kFewestEchoes) return;
   rivals_.dismiss_all();
+  if (model_ == &wary_) model_ = &keen_;
   search_.start(SearchDomain{}, begin, now);
   doubt_ = Doubt::running;
 }

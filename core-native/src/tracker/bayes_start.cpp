@@ -41,6 +41,7 @@ BayesLocator::Core::Core(const Building& building, const BeltConfig& belt, const
       start_(start),
       options_(options),
       keen_(belt, echo_parameters(options.parts)),
+      wary_(belt, wary(echo_parameters(options.parts))),
       deafened_(belt, hard_of_hearing(echo_parameters(options.parts))),
       scene_(building, keen_.sight_limits()),
       motion_(motion_parameters(options.parts)),

@@ -23,6 +23,14 @@ EchoModelParameters hard_of_hearing(EchoModelParameters parameters) {
   return parameters;
 }
 
+EchoModelParameters wary(EchoModelParameters parameters) {
+  parameters.deaf = 0.20;
+  parameters.clutter = 0.25;
+  parameters.arm = 0.08;
+  parameters.ghost = 0.04;
+  return parameters;
+}
+
 EchoModel::EchoModel(const BeltConfig& belt, const EchoModelParameters& p) {
   const double nominal = 0.5 * std::clamp(belt.beam_rad, degrees(2.0), degrees(120.0));
   const double half = p.beam_reach * nominal;

@@ -39,6 +39,9 @@ struct EchoModelParameters {
   double ghost = 0.02;                ///< A reading out of nowhere, uniform over the sensor's range.
 };
 
+/// The same for following a wearer whose place is known, who is heard among more than the plan knows of: one more thing that
+/// stands in no plan must not drive out the right place.
+[[nodiscard]] EchoModelParameters wary(EchoModelParameters parameters);
 /// The same for a belt of weak sensors, or one worn under a coat, which hears what is near and nothing else.
 [[nodiscard]] EchoModelParameters hard_of_hearing(EchoModelParameters parameters);
 /// Echoes from beyond this distance, metres, such a belt does not hear.
