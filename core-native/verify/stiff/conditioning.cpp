@@ -63,18 +63,25 @@ struct Stay {
   std::string broken;
 };
 
-/// A wearer without any motion sensor in the hall, standing or walking 12 m along it, followed from `start`.
-Stay stay(double length, bool walking, const Start& start) {
+/// What a wearer without any motion sensor does in the hall: walks 12 m along it, or stands.
+struct Doing {
+  bool walking = false;
+  double standing_s = 30.0;
+  std::uint64_t seed = 8;
+};
+
+/// One who does that, followed from `start`.
+Stay stay(double length, const Doing& doing, const Start& start) {
   const Building building = hall(length);
   sim::Walk walk;
-  walk.seed = 8;
+  walk.seed = doing.seed;
   walk.start = {"hall", {0.5 * length - 6.0, 1.1}};
   walk.world = sim::make_world(sim::Profile::empty);
   walk.world.gyro = walk.world.steps = walk.world.heading = false;
-  if (walking) {
+  if (doing.walking) {
     walk.add(sim::GoTo{{"hall", {0.5 * length + 6.0, 1.2}}});
   } else {
-    walk.add(sim::Pause{30.0});
+    walk.add(sim::Pause{doing.standing_s});
   }
   const Result<sim::Simulation> heard = sim::simulate(building, walk);
   if (!heard) return {{}, {}, heard.error().to_string()};
@@ -86,24 +93,37 @@ Stay stay(double length, bool walking, const Start& start) {
   return {(*session)->estimate(), heard->truth.back().pose, {}};
 }
 
+double off_along(const Stay& s) { return std::fabs(s.last.pose.position.x - s.truth.position.x); }
+double sigma_along(const Stay& s) { return std::sqrt(s.last.covariance_xx); }
+
 std::string describe(const Stay& s, const Spread& covariance) {
   char text[160];
-  std::snprintf(text, sizeof text, "sigma %.2f m along, %.2f m across, condition %.0f; %.2f m off along", std::sqrt(s.last.covariance_xx),
-                std::sqrt(s.last.covariance_yy), covariance.condition(),
-                std::fabs(s.last.pose.position.x - s.truth.position.x));
+  std::snprintf(text, sizeof text, "sigma %.2f m along, %.2f m across, condition %.0f; %.2f m off along", sigma_along(s),
+                std::sqrt(s.last.covariance_yy), covariance.condition(), off_along(s));
   return text;
 }
 
-/// `sigma_along`: the least that may be claimed.
-Outcome admits(const Stay& s, double sigma_along) {
+/// `least_sigma`: the least that may be claimed.
+Outcome admits(const Stay& s, double least_sigma) {
   if (!s.broken.empty()) return holds("runs", false, s.broken);
   const Spread covariance = eigenvalues(s.last.covariance_xx, s.last.covariance_xy, s.last.covariance_yy);
-  const double off = std::fabs(s.last.pose.position.x - s.truth.position.x);
-  const double sigma = std::sqrt(s.last.covariance_xx);
   const bool worst_is_sigma = std::fabs(s.last.sigma_m * s.last.sigma_m / covariance.large - 1.0) < 1e-9;
-  const bool good = sigma >= sigma_along && off <= 3.0 * sigma && worst_is_sigma;
-  return holds("at least " + number(sigma_along) + " m along the hall, the truth within 3 sigma, sigma_m along the worst direction",
+  const bool good = sigma_along(s) >= least_sigma && off_along(s) <= 3.0 * sigma_along(s) && worst_is_sigma;
+  return holds("at least " + number(least_sigma) + " m along the hall, the truth within 3 sigma, sigma_m along the worst direction",
                good, describe(s, covariance));
+}
+
+/// Of many who stand where they are known to be, the one whose estimate has run off farthest for what it claims. Nothing in such
+/// a hall tells standing from walking, and most people do not stand for long: what is known of the place fades in time.
+Stay worst_of_standing(double length, double seconds, const Start& start) {
+  constexpr std::uint64_t kWalks = 12;
+  Stay worst = stay(length, {false, seconds, 1}, start);
+  for (std::uint64_t seed = 2; seed <= kWalks && worst.broken.empty(); ++seed) {
+    Stay next = stay(length, {false, seconds, seed}, start);
+    const bool farther = off_along(next) * sigma_along(worst) > off_along(worst) * sigma_along(next);
+    if (farther || !next.broken.empty()) worst = std::move(next);
+  }
+  return worst;
 }
 
 }  // namespace
@@ -125,16 +145,16 @@ void add_conditioning(std::vector<Case>& table) {
     return holds("both directions: condition below 10", s.condition() < 10.0, "condition " + number(s.condition()));
   });
   add("standing in the hall's middle, place in it unknown", [] {
-    return admits(stay(60.0, false, {0, std::nullopt, std::nullopt}), 5.0);
+    return admits(stay(60.0, {}, {0, std::nullopt, std::nullopt}), 5.0);
   });
-  add("standing in the hall's middle, place known to 0.3 m", [] {
-    return admits(stay(60.0, false, {0, Vec2{24.0, 1.1}, 0.0}), 0.15);
+  add("standing in the hall's middle for 10 s, place known to 0.3 m, the worst of 12", [] {
+    return admits(worst_of_standing(60.0, 10.0, {0, Vec2{24.0, 1.1}, 0.0}), 0.15);
   });
   add("12 m along the hall without gyroscope and steps, place unknown", [] {
-    return admits(stay(60.0, true, {0, std::nullopt, std::nullopt}), 3.0);
+    return admits(stay(60.0, {.walking = true}, {0, std::nullopt, std::nullopt}), 3.0);
   });
   add("12 m along the hall without gyroscope and steps, start known", [] {
-    return admits(stay(60.0, true, {0, Vec2{24.0, 1.1}, 0.0}), 0.5);
+    return admits(stay(60.0, {.walking = true}, {0, Vec2{24.0, 1.1}, 0.0}), 0.5);
   });
 }
 
