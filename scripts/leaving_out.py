@@ -8,10 +8,11 @@ import sys
 from pathlib import Path
 
 import machine
+import pages
 
 MAPS = ("sample-room", "two-rooms", "torgersen-lab", "similar-rooms", "westport-house")
 IN_FULL = "torgersen-lab"
-BEGIN, END = "<!-- {}: make leaving-out -->", "<!-- end of {} -->"
+TARGET = "leaving-out"
 
 
 def left_out(echoway, name):
@@ -48,19 +49,13 @@ def summaries(echoway):
     return text[:-1]
 
 
-def put(page, name, lines):
-    begin, end = BEGIN.format(name), END.format(name)
-    before, rest = page.split(begin)
-    return before + "\n".join([begin, *lines, end]) + rest.split(end)[1]
-
-
 def main():
     report, echoway, path = sys.argv[1:]
     page = Path(path)
     text = page.read_text(encoding="utf-8")
-    text = put(text, "table", block(left_out(echoway, IN_FULL)))
-    text = put(text, "times", times(report))
-    text = put(text, "summaries", summaries(echoway))
+    text = pages.put(text, "table", TARGET, block(left_out(echoway, IN_FULL)))
+    text = pages.put(text, "times", TARGET, times(report))
+    text = pages.put(text, "summaries", TARGET, summaries(echoway))
     page.write_text(text, encoding="utf-8")
 
 

@@ -5,10 +5,10 @@ import sys
 from pathlib import Path
 
 import machine
+import pages
 import tables
 
 FEET = 0.3048
-BEGIN, END = "<!-- figures: make tracker-figures -->", "<!-- end of figures -->"
 HEAD = ("building", "start", "hints", "walks", "mean error", "worst walk", "right room", "heading", "within 2 sigma",
         "found in 20 s / 40 s", "µs a firing: half less than / mean")
 
@@ -48,9 +48,7 @@ def figures(rows):
 def main():
     table, page = map(Path, sys.argv[1:])
     text = figures(tables.read(table))
-    before, rest = page.read_text(encoding="utf-8").split(BEGIN)
-    after = rest.split(END)[1]
-    page.write_text(before + "\n".join([BEGIN, *text, END]) + after, encoding="utf-8")
+    page.write_text(pages.put(page.read_text(encoding="utf-8"), "figures", "tracker-figures", text), encoding="utf-8")
 
 
 main()

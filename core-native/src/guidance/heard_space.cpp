@@ -59,39 +59,34 @@ std::optional<double> HeardSpace::steady(int sensor, double now) const noexcept 
   return holds ? range : std::nullopt;
 }
 
+template <class Listen>
+std::optional<double> HeardSpace::nearest(double direction, double half, Listen listen) const noexcept {
+  std::optional<double> found;
+  for (int i = 0; i < belt_->sensors; ++i) {
+    const double aside = wrap_angle(belt_->bearing(i) - direction);
+    if (std::abs(aside) > half) continue;
+    const std::optional<double> heard = listen(i, aside);
+    if (heard) found = found ? std::min(*found, *heard) : *heard;
+  }
+  return found;
+}
+
 std::optional<double> HeardSpace::wall(double direction, double now) const noexcept {
   constexpr double kBeyond = degrees(55.0);  // off the direction, what answers lies beside the way
-  std::optional<double> nearest;
-  for (int i = 0; i < belt_->sensors; ++i) {
-    const auto range = steady(i, now);
-    const double aside = wrap_angle(belt_->bearing(i) - direction);
-    if (!range || std::abs(aside) > kBeyond) continue;
-    const double on = *range / std::cos(aside);
-    nearest = nearest ? std::min(*nearest, on) : on;
-  }
-  return nearest;
+  return nearest(direction, kBeyond, [&](int sensor, double aside) {
+    const auto range = steady(sensor, now);
+    return range ? std::optional(*range / std::cos(aside)) : std::nullopt;
+  });
 }
 
 std::optional<double> HeardSpace::toward(double direction, double now) const noexcept {
   const double half = 0.75 * kTwoPi / belt_->sensors;
-  std::optional<double> nearest;
-  for (int i = 0; i < belt_->sensors; ++i) {
-    const auto range = steady(i, now);
-    if (!range || std::abs(wrap_angle(belt_->bearing(i) - direction)) > half) continue;
-    nearest = nearest ? std::min(*nearest, *range) : *range;
-  }
-  return nearest;
+  return nearest(direction, half, [&](int sensor, double) { return steady(sensor, now); });
 }
 
 std::optional<double> HeardSpace::ahead(double now) const noexcept {
   const double half = kPi / belt_->sensors + degrees(13.0);
-  std::optional<double> nearest;
-  for (int i = 0; i < belt_->sensors; ++i) {
-    const auto range = fresh(i, now);
-    if (!range || std::abs(wrap_angle(belt_->bearing(i))) > half) continue;
-    nearest = nearest ? std::min(*nearest, *range) : *range;
-  }
-  return nearest;
+  return nearest(0.0, half, [&](int sensor, double) { return fresh(sensor, now); });
 }
 
 }  // namespace echoway::guidance

@@ -37,6 +37,9 @@ class HeardSpace {
   [[nodiscard]] std::optional<double> fresh(int sensor, double now) const noexcept;
   /// The same where it heard that a pass before too.
   [[nodiscard]] std::optional<double> steady(int sensor, double now) const noexcept;
+  /// The least of what `listen(sensor, aside)` says of the sensors that look no more than `half` aside of `direction`, radians.
+  template <class Listen>
+  [[nodiscard]] std::optional<double> nearest(double direction, double half, Listen listen) const noexcept;
 
   const BeltConfig* belt_;
   std::array<Heard, kMaxSensors> heard_{};

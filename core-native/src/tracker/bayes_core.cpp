@@ -123,8 +123,8 @@ Record BayesLocator::Core::take_down(const Firing& firing, double seconds) {
 // alike.
 void BayesLocator::Core::choose_model(const Record& record) {
   const bool from_afar = record.echo && record.range > kHardOfHearingRange;
-  if (model_ == &deafened_ && !(from_afar && hears_far())) return;
-  if (model_ != &deafened_ && search_.running()) return;
+  const bool stays = model_ == &deafened_ ? !(from_afar && hears_far()) : search_.running();
+  if (stays) return;
   const bool known = !main_.empty() && unconfirmed_ == 0;
   model_ = known ? &wary_ : &keen_;
 }
