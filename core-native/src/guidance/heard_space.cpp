@@ -84,6 +84,12 @@ std::optional<double> HeardSpace::toward(double direction, double now) const noe
   return nearest(direction, half, [&](int sensor, double) { return steady(sensor, now); });
 }
 
+bool HeardSpace::is_open(double direction, double free_m, double now) const noexcept {
+  const auto answer = toward(direction, now);
+  const auto lane = way(direction, now);
+  return answer && *answer >= free_m && lane && *lane >= free_m;
+}
+
 std::optional<double> HeardSpace::ahead(double now) const noexcept {
   const double half = kPi / belt_->sensors + degrees(13.0);
   return nearest(0.0, half, [&](int sensor, double) { return fresh(sensor, now); });

@@ -24,6 +24,9 @@ class HeardSpace {
   [[nodiscard]] std::optional<double> wall(double direction, double now) const noexcept;
   /// Distance of the nearest steady echo that comes from there, metres from the wearer's middle.
   [[nodiscard]] std::optional<double> toward(double direction, double now) const noexcept;
+  /// Whether the nearest steady echo that comes from there is `free_m` away and more, and nothing nearer lies in the way. Where
+  /// nothing answers it is not known: a wall too near to be heard says nothing either.
+  [[nodiscard]] bool is_open(double direction, double free_m, double now) const noexcept;
   /// Distance of the nearest echo within a sensor's spacing of straight ahead, metres from the chest's middle.
   [[nodiscard]] std::optional<double> ahead(double now) const noexcept;
 

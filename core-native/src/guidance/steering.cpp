@@ -167,13 +167,24 @@ bool Steering::is_kept_from_turning(const View& view, const Cue& cue, double dir
   if (again && turn_in_tight_spot(view, {}, voice)) return true;
   const auto clear = [&](const Demand& demand) { return outlook_.clear_ahead(view, cue, understood(direction), demand); };
   const Demand& first = view.walking ? kWalking : kStanding;
-  if (clear(first)) return false;
+  if (clear(first) || hears_free(view, understood(direction), cue)) return false;
   if (!view.walking && is_settling(view)) return true;
   if (turn_in_tight_spot(view, first, voice)) return true;
   if (view.walking) return true;  // rather nothing than towards a wall
   // In a tight spot less must do, after a while.
   if (clear(kTight)) return false;
   return !is_stuck(view, kStuck) || leave_tight_spot(view, voice) || !is_stuck(view, kQuiteStuck) || look_round(view, voice);
+}
+
+/// Whether the belt hears, whatever the place is, that it is free where the wearer, who stands, is to go, and the plan has
+/// no wall there as long as the place is right. Beside a wall or a door's frame nothing is taken to be free that is not sure to
+/// be: a wall that near may not be heard.
+bool Steering::hears_free(const View& view, double direction, const Cue& cue) const {
+  constexpr double kFree = 1.0;      // metres
+  constexpr double kByAWall = 0.45;  // metres
+  constexpr Demand kByThePlan{0.5, 0.0};
+  if (view.walking || router_->space(view.estimate->room).clearance(view.estimate->pose.position, kByAWall) < kByAWall) return false;
+  return heard_->is_open(direction, kFree, view.now) && outlook_.clear_ahead(view, cue, direction, kByThePlan);
 }
 
 /// Whether the belt itself hears a wall where the wearer, who stands, is to go: one that the plan has elsewhere, or a thing.
@@ -324,7 +335,8 @@ bool Steering::go_on(const View& view, Announcer& voice) {
   const Demand demand{std::min(most.free_m, 0.8 * along), most.sigmas};
   const Outlook::Approach way = outlook_.approach(view, plain, demand);
   const double direction = amend ? view.off : 0.0;
-  if (!outlook_.clear_of_walls(view, way, direction, demand)) return !view.walking && look_round(view, voice);
+  const bool clear = outlook_.clear_of_walls(view, way, direction, demand) || hears_free(view, direction, plain);
+  if (!clear) return !view.walking && look_round(view, voice);
   if (hears_wall(view, direction) && look_round(view, voice)) return true;
   // Of things only some points are known, not quite where they are: who gets nowhere goes on by touch.
   if (!amend && !stuck && !outlook_.clear_of_things(view, way, direction, demand)) return false;

@@ -66,6 +66,7 @@ class Steering {
   [[nodiscard]] static bool is_settling(const View& view) noexcept;
   [[nodiscard]] bool is_stuck(const View& view, double seconds) const noexcept;
   [[nodiscard]] bool hears_wall(const View& view, double direction);
+  [[nodiscard]] bool hears_free(const View& view, double direction, const Cue& cue) const;
   void note_frame() noexcept;
   [[nodiscard]] bool face_way(const View& view, Announcer& voice);
   [[nodiscard]] bool look_round(const View& view, Announcer& voice);

@@ -15,6 +15,7 @@ Stretch::Outcome Stretch::watch(const View& view, double acted_by) noexcept {
   constexpr double kMuch = 0.6;      // metres left
   constexpr double kNothing = 0.15;  // metres gone
   constexpr int kTold = 2;
+  if (view.walking) stood_ = 0;  // whatever else they were told: nothing holds them
   if (length_m_ < 0.0) return Outcome::open;
   if (from_.room != view.estimate->room) {
     length_m_ = -1.0;

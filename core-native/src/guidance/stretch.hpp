@@ -27,7 +27,7 @@ class Stretch {
   double length_m_ = -1.0;  ///< Negative: none.
   Spot from_{};
   bool begun_ = false;
-  int stood_ = 0;           ///< Times in a row that the wearer did not set off.
+  int stood_ = 0;           ///< Times in a row, without a step in between, that the wearer did not set off.
 };
 
 }  // namespace echoway::guidance

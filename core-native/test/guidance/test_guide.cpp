@@ -591,6 +591,31 @@ std::optional<Cue> first_step(const std::vector<Cue>& cues) {
   return step == cues.end() ? std::nullopt : std::optional(*step);
 }
 
+/// Where a wearer who is vaguely known to stand along a wall is sent first; their way is to their right, along it.
+std::optional<Cue> first_step_beside_a_wall(double heard_right_m) {
+  Building b;
+  b.rooms.push_back(test::make_box("hall", 12, 2.4));
+  Listener wearer(b);
+  Estimate here = at(0, 0, {4.0, 1.85}, 115.0);
+  here.sigma_m = 0.35;
+  const auto heard = [=](double bearing) { return std::abs(bearing + degrees(85.0)) < 0.25 ? heard_right_m : Firing::kNoEcho; };
+  (void)wearer.hear(3.0, here, heard);
+  EXPECT_TRUE(wearer.guide.set_destination({Goal::Kind::spot, 0, {0, {9.0, 1.6}}}));
+  return first_step(wearer.hear(8.0, here, heard));
+}
+
+TEST(Guide, WhoHearsThatItIsFreeIsTurnedThereThoughTheWallIsNotSurelyFarEnough) {
+  const auto step = first_step_beside_a_wall(1.6);
+  ASSERT_TRUE(step);
+  EXPECT_EQ(step->kind, CueKind::turn);
+  EXPECT_FALSE(step->tail.present) << "no step aside first";
+  EXPECT_LT(step->direction, 0.0);
+  for (const double heard : {0.6, Firing::kNoEcho}) {
+    const auto otherwise = first_step_beside_a_wall(heard);
+    EXPECT_TRUE(!otherwise || otherwise->tail.present || otherwise->direction > 0.0) << heard << ": it may be the wall";
+  }
+}
+
 TEST_F(GuideTest, WhoHearsAWallWhereTheDoorShouldBeIsLedAlongItAndNotIntoIt) {
   const Estimate before_door = at(0, 0, {4.6, 2.5}, 0.0);
   (void)wearer.hear(3.0, before_door, wall_heard(0.0, 0.25));
@@ -719,6 +744,17 @@ TEST_F(GuideTest, LeadsRoundWhatStoppedTheWearerUnseen) {
   // Stands well short of where the way goes, and nobody said stop.
   const auto cues = wearer.stand(8.0, 0, walking.pose.position, 0.0);
   EXPECT_THAT(kinds(cues), Contains(CueKind::turn));
+}
+
+TEST_F(GuideTest, WhoWalkedMeanwhileHasMissedTwoLinesAndMetNothing) {
+  ASSERT_TRUE(guide.set_destination({Goal::Kind::spot, 0, {0, {4.3, 1.0}}}));
+  EXPECT_THAT(kinds(wearer.stand(8.0, 0, {0.7, 1.0}, 0.0)), Contains(CueKind::go_straight));
+  Estimate walking = at(0, 0, {0.7, 1.0}, 0.0);
+  walking.speed_mps = 0.6;
+  for (const double end = wearer.now + 1.0; wearer.now < end; walking.pose.position.x += 0.6 * kSlot) (void)wearer.stay(kSlot, walking);
+  const auto cues = kinds(wearer.stand(14.0, 0, walking.pose.position, 0.0));
+  EXPECT_THAT(cues, Contains(CueKind::go_straight));
+  EXPECT_THAT(cues, Not(Contains(CueKind::turn))) << "round what is not there";
 }
 
 TEST_F(GuideTest, IsNotAlarmedByWallsOrByASingleFalseEcho) {

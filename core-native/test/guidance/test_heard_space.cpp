@@ -70,5 +70,26 @@ TEST(HeardSpace, WhatIsHeardToASideIsTheNearestSteadyEchoFromThere) {
   EXPECT_FALSE(toward(0.0)) << "it moves";
 }
 
+/// Two passes in which the sensors within 30 degrees of the chest hear `ahead_m`, and one that looks to `aside_deg` `aside_m`.
+Heard hear_ahead(double ahead_m, double aside_deg, double aside_m) {
+  Heard heard;
+  for (int k = 0; k < 2; ++k, heard.now += kPass) {
+    for (int i = 0; i < heard.belt.sensors; ++i) {
+      const double bearing = wrap_angle(heard.belt.bearing(i));
+      const bool aside = std::abs(bearing - degrees(aside_deg)) < degrees(1.0);
+      heard.space.on_firing({heard.now, i, aside ? aside_m : std::abs(bearing) < degrees(30.0) ? ahead_m : Firing::kNoEcho});
+    }
+  }
+  return heard;
+}
+
+TEST(HeardSpace, ItIsOpenWhereAFarWallAnswersAndNothingLiesInTheWay) {
+  const auto open = [](const Heard& heard) { return heard.space.is_open(0.0, 1.0, heard.now - kPass); };
+  EXPECT_TRUE(open(hear_ahead(2.0, 120.0, 0.5)));
+  EXPECT_FALSE(open(hear_ahead(0.7, 120.0, 0.5)));
+  EXPECT_FALSE(open(hear_ahead(2.0, 48.0, 0.3))) << "a shoulder would meet it";
+  EXPECT_FALSE(open(hear_ahead(Firing::kNoEcho, 48.0, 2.0))) << "a wall too near to be heard is silent too";
+}
+
 }  // namespace
 }  // namespace echoway::guidance
