@@ -46,7 +46,7 @@ struct Outcome {
 
 std::vector<Contestant> contestants() {
   const BayesOptions defaults;   // Which must be in the sweep.
-  const std::set<int> with_hints{10, 20, 40, 70, 150, 240, 480, defaults.particles};
+  const std::set<int> with_hints{10, 20, 40, 60, 120, 240, 480, defaults.particles};
   const std::set<int> without{50, 100, 200, 400, 800, 1600, defaults.particles_without_gyroscope};
   std::vector<Contestant> all;
   for (const int particles : with_hints) all.push_back({"bayes", true, particles});

@@ -39,7 +39,7 @@ class Search {
     double closest_spacing = 0.18;       ///< ... down to this, as long as there are no more candidates than ...
     double few_candidates = 60000;       ///< ... so many.
     double heading_step = degrees(12.0);  ///< Half the angle between sensors, as a panorama's directions.
-    double give_up = 13.0;               ///< Log likelihood behind the best at the same firing.
+    double give_up = 8.0;                ///< Log likelihood behind the best at the same firing.
     std::size_t keep = 4000;             ///< Survivors of the sweep.
     std::size_t refined = 2400;          ///< Particles drawn from them ...
     std::size_t refined_facing = 800;    ///< ... fewer when it is known where the wearer faces,

@@ -25,7 +25,7 @@ struct BayesOptions {
   std::uint64_t seed = 1;
   /// Particles while the wearer's place is known, with and without a gyroscope. The tracker takes more by itself for one
   /// who walks fast and while the place is uncertain.
-  int particles = 100;
+  int particles = 80;
   int particles_without_gyroscope = 800;
   TrackerParts parts{};
 };
