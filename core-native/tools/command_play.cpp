@@ -1,11 +1,13 @@
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <poll.h>
 #include <stdlib.h>
 #include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -35,12 +37,13 @@ constexpr double kLongestWaitS = 1e9;     // Clocks count no farther than centur
 struct PlayOptions {
   std::string scans;
   double speed = 1.0;
+  double patience_s = 30.0;
 };
 
 /// The belt's end of a pseudo-terminal; the listener opens name().
 class BeltTerminal {
  public:
-  BeltTerminal() : descriptor_(posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)) {
+  BeltTerminal() : descriptor_(posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK)) {
     if (descriptor_ < 0 || grantpt(descriptor_) != 0 || unlockpt(descriptor_) != 0) return;
     const char* name = ptsname(descriptor_);
     if (name != nullptr) name_ = name;
@@ -60,8 +63,15 @@ class BeltTerminal {
   }
 
   [[nodiscard]] const std::string& name() const { return name_; }
-  bool send(std::string_view sentence) const {
-    return ::write(descriptor_, sentence.data(), sentence.size()) == static_cast<ssize_t>(sentence.size());
+  /// False when the line holds no more of it and nobody reads for so long.
+  [[nodiscard]] bool send(std::string_view sentence, std::chrono::milliseconds patience) const {
+    while (!sentence.empty()) {
+      const ssize_t count = ::write(descriptor_, sentence.data(), sentence.size());
+      if (count < 0 && errno != EAGAIN && errno != EINTR) return false;
+      if (count > 0) sentence.remove_prefix(static_cast<std::size_t>(count));
+      if (!sentence.empty() && !drains(patience)) return false;
+    }
+    return true;
   }
   /// Whether sentences wait for a listener: hanging up would lose them.
   [[nodiscard]] bool unread() const {
@@ -70,6 +80,11 @@ class BeltTerminal {
   }
 
  private:
+  [[nodiscard]] bool drains(std::chrono::milliseconds patience) const {
+    pollfd line{descriptor_, POLLOUT, 0};
+    return ::poll(&line, 1, static_cast<int>(patience.count())) > 0 && (line.revents & POLLOUT) != 0;
+  }
+
   int descriptor_ = -1;
   int listener_side_ = -1;
   std::string name_;
@@ -103,16 +118,19 @@ int play(const PlayOptions& options) {
   const double first = log->firings.empty() ? 0.0 : log->firings.front().time_s;
   const double sound_speed = speed_of_sound(BeltConfig{}.temperature_c);
   const EncodedSentence status = encode(status_of(log->belt));
+  const std::chrono::milliseconds patience{std::lround(1e3 * options.patience_s)};
   double status_due = first;
   std::uint16_t seq = 0;
   for (const Firing& firing : log->firings) {
     const std::chrono::duration<double> due{std::min((firing.time_s - first) / options.speed, kLongestWaitS)};
     std::this_thread::sleep_until(begin + std::chrono::duration_cast<Clock::duration>(due));
+    bool sent = true;
     if (firing.time_s >= status_due) {
-      terminal.send(status.text());
+      sent = terminal.send(status.text(), patience);
       status_due += kStatusPeriod * (1.0 + std::floor((firing.time_s - status_due) / kStatusPeriod));
     }
-    if (!terminal.send(to_sentence(seq++, firing, sound_speed).text())) return bad_input({"nobody reads the terminal", terminal.name()});
+    sent = sent && terminal.send(to_sentence(seq++, firing, sound_speed).text(), patience);
+    if (!sent) return bad_input({"nobody reads the terminal", terminal.name()});
   }
   // A listener that is still reading must not lose the end to the hang-up.
   int lingers = 0;
@@ -129,6 +147,9 @@ void add_play(CLI::App& app, int& status) {
   auto options = std::make_shared<PlayOptions>();
   command->add_option("--scans", options->scans, "Scan log (*.scans.csv)")->required()->check(not_empty());
   command->add_option("--speed", options->speed, "Times real time")->check(decimal(0.01, 1000.0))->capture_default_str();
+  command->add_option("--patience", options->patience_s, "Seconds to wait for a listener when the line holds no more")
+      ->check(decimal(0.0, 86400.0))
+      ->capture_default_str();
   command->callback([options, &status] { status = play(*options); });
 }
 

@@ -54,6 +54,16 @@ TEST(Monitor, FollowsABeltOnAPseudoTerminalFromConnectionToLoss) {
       << heard;
 }
 
+TEST(Play, EndsWhenNobodyReads) {
+  const TemporaryFolder folder;
+  std::string rows = "time_s,sensor,range_m\n";
+  for (int i = 0; i < 20'000; ++i) rows += std::to_string(0.001 * i) + ",0,1.5\n";  // More than a line holds.
+  const std::string log = folder.write("log.csv", rows).string();
+  const test::ProcessResult played = run_echoway({"play", "--scans", log, "--speed", "1000", "--patience", "0.2"});
+  EXPECT_EQ(played.status, 2);
+  EXPECT_NE(played.err.find(": nobody reads the terminal"), std::string::npos) << played.err;
+}
+
 TEST(Monitor, RefusesABeltOfAnotherNumberOfSensorsThanIsThought) {
   const TemporaryFolder folder;
   const std::string log = folder.write("log.csv", "# sensors 4\ntime_s,sensor,range_m\n0,0,1.5\n0.1,1,1.5\n0.2,2,1.5\n").string();
