@@ -119,13 +119,14 @@ int bench(const BenchOptions& options) {
   }
   const double floor = median_floor(*building, *walks);
   report::Table table("method,hints,particles,mean_m,worst_walk_m,right_room,heading_deg,cpu_us_a_firing");
-  fmt::print("{} walks of about {:.0f} s; Cramer-Rao floor of one scan {:.3f} m (median)\n", options.walks,
+  std::FILE* const out = words_beside({options.csv});
+  fmt::print(out, "{} walks of about {:.0f} s; Cramer-Rao floor of one scan {:.3f} m (median)\n", options.walks,
              options.seconds, floor);
-  fmt::print("{:8} {:>6} {:>10} {:>9} {:>12} {:>11} {:>9} {:>13}\n", "method", "hints", "particles", "mean, m",
+  fmt::print(out, "{:8} {:>6} {:>10} {:>9} {:>12} {:>11} {:>9} {:>13}\n", "method", "hints", "particles", "mean, m",
              "worst walk, m", "right room", "heading", "us a firing");
   for (const Contestant& c : contestants()) {
     const Outcome o = contest(c, *building, *walks);
-    fmt::print("{:8} {:>6} {:>10} {:>9.3f} {:>13.3f} {:>9.1f} % {:>5.1f} deg {:>13.1f}\n", c.method, c.hints ? "yes" : "no",
+    fmt::print(out, "{:8} {:>6} {:>10} {:>9.3f} {:>13.3f} {:>9.1f} % {:>5.1f} deg {:>13.1f}\n", c.method, c.hints ? "yes" : "no",
                c.particles, o.mean_m, o.worst_walk_m, 100.0 * o.right_room, to_degrees(o.heading_rad), o.cpu_us);
     using report::fixed;
     table.add(c.method, c.hints ? 1 : 0, c.particles, fixed(o.mean_m, 4), fixed(o.worst_walk_m, 4), fixed(o.right_room, 4),

@@ -152,9 +152,9 @@ Status write_outputs(const Located& located, const LocateOptions& options) {
   return track && !options.cues.empty() ? write_cues(located.cues, options.cues) : track;
 }
 
-void print(const Located& located, std::size_t firings) {
-  for (const SpokenCue& cue : located.cues) fmt::print("{:8.2f} s  {}\n", cue.time_s, cue.text);
-  fmt::print("{} firings, {} estimates in {:.3f} s: {:.1f} us a firing\n", firings, located.track.size(), located.seconds,
+void print(const Located& located, std::size_t firings, std::FILE* out) {
+  for (const SpokenCue& cue : located.cues) fmt::print(out, "{:8.2f} s  {}\n", cue.time_s, cue.text);
+  fmt::print(out, "{} firings, {} estimates in {:.3f} s: {:.1f} us a firing\n", firings, located.track.size(), located.seconds,
              1e6 * located.seconds / static_cast<double>(std::max<std::size_t>(1, firings)));
 }
 
@@ -169,7 +169,7 @@ int locate(const LocateOptions& options) {
   const Result<Located> located = follow(**session, *inputs, options.session.speech_style());
   if (!located) return bad_input(located.error());
   if (const Status written = write_outputs(*located, options); !written) return bad_input(written.error());
-  print(*located, inputs->scans.firings.size());
+  print(*located, inputs->scans.firings.size(), words_beside({options.track, options.cues}));
   return kDone;
 }
 

@@ -1,8 +1,12 @@
 #include "console.hpp"
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
+
+#include "echoway/io/atomic_file.hpp"
 
 namespace echoway::tools {
 
@@ -15,6 +19,11 @@ void complain(const std::string& line) noexcept {
 int bad_input(const Error& error) noexcept {
   complain(error.to_string());
   return kBadInput;
+}
+
+std::FILE* words_beside(std::initializer_list<std::string_view> files) {
+  const bool taken = std::ranges::any_of(files, [](std::string_view file) { return descriptor_named_by(file) == STDOUT_FILENO; });
+  return taken ? stderr : stdout;
 }
 
 bool flush_output() noexcept {

@@ -5,8 +5,11 @@
 
 #include <atomic>
 #include <cerrno>
+#include <climits>
 #include <system_error>
 #include <utility>
+
+#include "echoway/text/number.hpp"
 
 namespace echoway {
 namespace {
@@ -19,6 +22,8 @@ fs::path temporary_beside(const fs::path& target) {
   const std::string suffix = ".partial-" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
   return target.parent_path() / ("." + target.filename().string() + suffix);
 }
+
+constexpr int kMostLinks = 40;  // As the kernel follows.
 
 fs::path follow_link(const fs::path& file) {
   std::error_code error;
@@ -41,10 +46,45 @@ std::FILE* open_new(const fs::path& file) {
   return handle;
 }
 
+/// Another handle on what is open already: it goes on where the others are and cuts nothing off (`>> file`).
+std::FILE* open_again(int descriptor) {
+  const int again = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+  if (again < 0) return nullptr;
+  std::FILE* handle = ::fdopen(again, "wb");
+  if (handle == nullptr) {
+    const int error = errno;
+    ::close(again);
+    errno = error;
+  }
+  return handle;
+}
+
 }  // namespace
+
+std::optional<int> descriptor_named_by(const fs::path& file) {
+  std::error_code error;
+  const fs::path open_files = fs::canonical("/proc/self/fd", error);
+  if (error) return std::nullopt;
+  fs::path at = fs::absolute(file, error);
+  for (int links = 0; links < kMostLinks && !error; ++links) {
+    if (fs::weakly_canonical(at.parent_path(), error) == open_files) {
+      const std::optional<long long> number = text::parse_integer(at.filename().string());
+      return number && *number >= 0 && *number <= INT_MAX ? std::optional(static_cast<int>(*number)) : std::nullopt;
+    }
+    const fs::path next = fs::read_symlink(at, error);
+    at = at.parent_path() / next;  // Which an absolute `next` replaces.
+  }
+  return std::nullopt;
+}
 
 Result<AtomicFile> AtomicFile::create(const fs::path& file) {
   AtomicFile out;
+  if (const std::optional<int> descriptor = descriptor_named_by(file)) {
+    out.target_ = file;
+    out.handle_.reset(open_again(*descriptor));
+    if (!out.handle_) return Error{describe(errno), file.string()};
+    return out;
+  }
   out.target_ = follow_link(file);
   std::error_code ignored;
   const fs::file_status status = fs::status(out.target_, ignored);

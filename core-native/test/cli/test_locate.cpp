@@ -124,6 +124,16 @@ TEST_F(Locate, NoOutputTakesThePlaceOfAnotherFile) {
   EXPECT_EQ(run_echoway({"locate", "--building", kLab, "--scans", scans, "--track", "/dev/null", "--cues", "/dev/null"}).status, 0);
 }
 
+TEST_F(Locate, AWholeTrackGoesWhereStandardOutputGoes) {
+  ASSERT_EQ(locate({"--start", start_}).status, 0);
+  const auto into = folder_.path() / "into.csv";
+  const ProcessResult result = run_echoway({"locate", "--building", kLab, "--scans", prefix_ + ".scans.csv", "--start", start_,
+                                            "--track", "/dev/stdout"}, {.out = into});
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(test::read_file(into), test::read_file(track_));
+  EXPECT_NE(result.err.find(" firings, "), std::string::npos) << "what was heard and done is said on standard error instead";
+}
+
 TEST_F(Locate, BlanksAroundTheFieldsOfAStartMeanNothing) {
   std::string spaced = start_;
   for (std::size_t comma = spaced.find(','); comma != std::string::npos; comma = spaced.find(',', comma + 2)) {

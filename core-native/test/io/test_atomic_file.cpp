@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <csignal>
 
@@ -87,6 +89,32 @@ TEST(AtomicFile, FollowsALink) {
   ASSERT_TRUE(file->commit().ok());
   EXPECT_TRUE(std::filesystem::is_symlink(link));
   EXPECT_EQ(test::read_file(target), "new");
+}
+
+TEST(AtomicFile, WritesOnIntoWhatIsOpenAlready) {
+  const test::TemporaryFolder dir;
+  const auto path = dir.write("out.csv", "before\n");
+  const int open = ::open(path.c_str(), O_WRONLY | O_APPEND);
+  ASSERT_GE(open, 0);
+  const std::string number = std::to_string(open);
+  const auto link = dir.path() / "link.csv";
+  std::filesystem::create_symlink("/dev/fd/" + number, link);
+  for (const std::string& name : {"/dev/fd/" + number, "/proc/self/fd/" + number, link.string()}) {
+    ASSERT_TRUE(write_file(name, name + "\n").ok()) << name;
+  }
+  ASSERT_EQ(::write(open, "after\n", 6), 6);
+  ::close(open);
+  EXPECT_EQ(test::read_file(path),
+            "before\n/dev/fd/" + number + "\n/proc/self/fd/" + number + "\n" + link.string() + "\nafter\n");
+  EXPECT_THAT(write_file("/dev/fd/" + number, "x").error().to_string(), HasSubstr("/dev/fd/" + number + ": cannot be written: "));
+}
+
+TEST(AtomicFile, KnowsTheNamesOfOpenFiles) {
+  EXPECT_EQ(descriptor_named_by("/dev/stdout"), 1);
+  EXPECT_EQ(descriptor_named_by("/dev/../dev/fd/7"), 7);
+  for (const char* other : {"/dev/null", "out.csv", "/no/such/fd/1", "/dev/fd", "/dev/fd/x", ""}) {
+    EXPECT_EQ(descriptor_named_by(other), std::nullopt) << other;
+  }
 }
 
 TEST(AtomicFile, IsReadableByWhoeverTheUserAllows) {
