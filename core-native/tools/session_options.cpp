@@ -94,7 +94,7 @@ Result<std::unique_ptr<Session>> SessionOptions::open(Building building_model, c
   Result<std::unique_ptr<Session>> session = Session::open(std::move(building_model), *wanted);
   if (!session || destination.empty()) return session;
   const Status set = (*session)->set_destination(destination, RoutePreferences{avoid_stairs});
-  if (!set) return set.error();
+  if (!set) return Error{fmt::format("--to {}: {}", destination, set.error().message)};
   return session;
 }
 

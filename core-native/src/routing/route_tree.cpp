@@ -72,7 +72,9 @@ Result<RouteTree> Router::tree_to(const Goal& goal, RoutePreferences preferences
       case Goal::Kind::place:
         return Error{"this building names no such place; add a line `place R x y \"name\"` to its building.cfg"};
       case Goal::Kind::room:
-        return Error{"no door leads into the room that is to be reached"};
+        if (!building_->has_room(goal.index)) return Error{"this building has no such room"};
+        return Error{"nothing leads into room " + building_->room(goal.index).id +
+                     ": no door, stairs or elevator of the building is joined to it"};
       case Goal::Kind::spot:
         return Error{"the destination lies in no room of this building"};
     }

@@ -154,6 +154,21 @@ TEST_F(Locate, RefusesAStartThatCannotBe) {
   }
 }
 
+TEST_F(Locate, SaysToWhichRoomNothingLeads) {
+  const TemporaryFolder two;
+  two.write("building.cfg", "units m\n");
+  for (const char* room : {"room-hall.room", "room-store.room"}) {
+    two.write(room, "4 0 0\n1 0 0 4 0\n1 4 0 4 4\n1 4 4 0 4\n1 0 4 0 0\n");
+  }
+  const std::string log = folder_.write("log.csv", "time_s,sensor,range_m\n0.0,0,1.5\n").string();
+  const auto to = [&](const std::string& goal) {
+    return run_echoway({"locate", "--building", two.path().string(), "--scans", log, "--to", goal, "--track", track_});
+  };
+  EXPECT_EQ(to("store").status, 2);
+  EXPECT_NE(to("store").err.find("--to store: nothing leads into room store"), std::string::npos) << to("store").err;
+  EXPECT_NE(to("Kitchen").err.find("--to Kitchen: nothing here is called \"Kitchen\""), std::string::npos) << to("Kitchen").err;
+}
+
 TEST_F(Locate, RefusesAStartFarOutsideItsRoomAndSaysWhereTheRoomIs) {
   // Feet where metres are asked for: the room is 3.66 by 4.27 m.
   const ProcessResult far = locate({"--start", "1,10,5,90"});

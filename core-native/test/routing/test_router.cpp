@@ -319,6 +319,16 @@ TEST(Router, FindsGoalsByWhatWearersSay) {
   EXPECT_THAT(none.error().message, HasSubstr("Lectern"));
 }
 
+TEST(Router, NamesTheRoomThatNothingLeadsInto) {
+  Building b = make_grid(2, 1);
+  b.rooms.push_back(make_box("store", 2, 2));
+  const Router router(b);
+  const auto none = router.tree_to({Goal::Kind::room, 2, {}});
+  ASSERT_FALSE(none);
+  EXPECT_THAT(none.error().message, HasSubstr("room store"));
+  EXPECT_FALSE(router.tree_to({Goal::Kind::room, 7, {}}));
+}
+
 TEST(Router, ATriangleOfWaysNeverBreaksTheTriangleInequality) {
   // Shortest ways: going over any third place is never shorter than going straight there.
   const Building b = make_office_floor(4);
