@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "echoway/building/loader.hpp"
+#include "echoway/geometry/box.hpp"
 #include "echoway/geometry/inclusion.hpp"
 #include "echoway/random.hpp"
 #include "support/whole_room.hpp"
@@ -29,12 +30,7 @@ struct Crowd {
 };
 
 Vec2 somewhere_in(const Room& room, Random& random) {
-  Vec2 low{1e9, 1e9};
-  Vec2 high = -low;
-  for (const Vec2 v : room.boundary.front()) {
-    low = {std::min(low.x, v.x), std::min(low.y, v.y)};
-    high = {std::max(high.x, v.x), std::max(high.y, v.y)};
-  }
+  const auto [low, high] = box_about(room.boundary);
   for (;;) {
     const Vec2 at{random.uniform(low.x, high.x), random.uniform(low.y, high.y)};
     if (contains(room.boundary, at)) return at;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "echoway/geometry/box.hpp"
 #include "echoway/geometry/inclusion.hpp"
 #include "plans.hpp"
 
@@ -11,12 +12,7 @@ namespace {
 
 Vec2 random_place(const Room& room, Random& random) {
   constexpr double kClear = 0.5;  // Metres to whatever is on the plan.
-  Vec2 low = room.boundary.front().front();
-  Vec2 high = low;
-  for (const Vec2 p : room.boundary.front()) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
+  const auto [low, high] = box_about(room.boundary);
   for (int attempt = 0; attempt < 10000; ++attempt) {
     const Vec2 p{random.uniform(low.x, high.x), random.uniform(low.y, high.y)};
     const auto clear = [&](const Segment& s) { return distance(s, p) >= kClear; };

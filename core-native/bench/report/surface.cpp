@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "echoway/geometry/box.hpp"
 #include "following.hpp"
 
 namespace echoway::report {
@@ -46,12 +47,7 @@ Surface Surface::within(Vec2 centre, double radius) const {
 
 Surface error_surface(RoomMatcher& matcher, const thesis::Scan& scan, double heading, const Room& room,
                       double spacing_m) {
-  Vec2 low = room.boundary.front().front();
-  Vec2 high = low;
-  for (const Vec2 p : room.boundary.front()) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
+  const auto [low, high] = box_about(room.boundary);
   Surface surface;
   for (int i = 1; low.x + i * spacing_m < high.x; ++i) {
     for (int j = 1; low.y + j * spacing_m < high.y; ++j) {
