@@ -117,7 +117,9 @@ void add_monitor(CLI::App& app, int& status) {
   auto options = std::make_shared<MonitorOptions>();
   options->session.add_to(*command);
   command->add_option("--port", options->port, "Serial device of the belt, or a pseudo-terminal")->required()->check(not_empty());
-  command->add_option("--baud", options->baud, "Baud rate")->capture_default_str();
+  command->add_option("--baud", options->baud, "Baud rate")
+      ->check(CLI::IsMember({9600, 19200, 38400, 57600, 115200}))
+      ->capture_default_str();
   command->callback([options, &status] { status = monitor(*options); });
 }
 

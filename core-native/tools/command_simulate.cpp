@@ -111,6 +111,13 @@ Status scan_at(const Options& options) {
   return write_scan_log(*log, options.out + ".scans.csv");
 }
 
+/// A prefix that ends with a folder would write hidden files.
+Status check_prefix(const std::string& prefix) {
+  if (prefix.empty()) return Error{"say where to write: --out PREFIX"};
+  if (std::filesystem::path(prefix).has_filename()) return success();
+  return Error{fmt::format("--out {}: is a folder; name what the files in it begin with, such as {}walk", prefix, prefix)};
+}
+
 Status simulate(const Options& options) {
   if (!options.stands.empty()) return scan_at(options);
   Result<sim::Walk> walk = get_walk(options);
@@ -137,7 +144,7 @@ void add_simulate(CLI::App& app, int& status) {
   command->add_option("--building", options->building, "Building folder (default: the one that the walk names)")
       ->check(not_empty());
   auto* walk = command->add_option("--walk", options->walk, "Walk file (docs/walk-files.md)")->check(not_empty());
-  auto* random = command->add_option("--random", options->random_s, "Instead of a walk file: a random walk of about so many seconds")
+  auto* random = command->add_option("--random", options->random_s, "Instead of a walk file: a random walk of about so many seconds; ends with the leg that reaches them")
       ->check(decimal(1.0, 36000.0))
       ->excludes(walk);
   command->add_option("--profile", options->profile, "How severe the world is (default: what the walk says, else furnished)")
@@ -161,7 +168,8 @@ void add_simulate(CLI::App& app, int& status) {
   command->add_flag("--parameters", options->parameters, "List the world's parameters and leave");
   command->callback([options, &status] {
     if (options->parameters) return print_parameters();
-    const Status done = options->out.empty() ? Status(Error{"say where to write: --out PREFIX"}) : simulate(*options);
+    const Status good = check_prefix(options->out);
+    const Status done = good ? simulate(*options) : good;
     if (done.ok()) return;
     status = bad_input(done.error());
   });

@@ -35,7 +35,7 @@ Walk random_walk(const Building& building, const RandomWalkOptions& options, std
   walk.seed = random.next();
   walk.speed_mps = options.speed_mps;
   walk.world = options.random_world ? random_world(options.profile, random) : make_world(options.profile);
-  if (building.rooms.empty()) return walk;
+  if (building.rooms.empty() || !check_floors(building)) return walk;
 
   const FloorPlan plan(building);
   const RoomIndex wanted = building.find_room(options.start_room);

@@ -55,6 +55,7 @@ Footprint footprint_of(const Trajectory& trajectory) {
 
 Result<Simulation> simulate(const Building& building, const Walk& walk, std::uint64_t seed) {
   if (Status status = check(walk); !status.ok()) return status.error();
+  if (Status status = check_floors(building); !status.ok()) return status.error();
   Random random(seed);
   const FloorPlan plan(building);
   const Result<Trajectory> trajectory = Trajectory::follow(plan, walk, random.split());
@@ -83,6 +84,7 @@ Result<ScanLog> scan_at(const Building& building, const World& world, const Ring
   if (ring.bearings_rad.size() > kMaxSensors || ring.belt.sensors < 1 || ring.belt.sensors > kMaxSensors) {
     return Error{"the ring's number of sensors makes no sense"};
   }
+  if (Status status = check_floors(building); !status.ok()) return status.error();
   const FloorPlan plan(building);
   std::vector<Moment> moments;
   Footprint footprint;

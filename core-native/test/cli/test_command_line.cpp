@@ -99,6 +99,23 @@ TEST(CommandLine, SimulateLeavesNoPieceOfAFileThatItCannotWrite) {
   }
 }
 
+TEST(CommandLine, APrefixThatIsAFolderIsRefused) {
+  const TemporaryFolder folder;
+  expect_refused({"simulate", "--building", kLab, "--random", "5", "--out", folder.path().string() + "/"}, "--out ");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(CommandLine, ARoomTooLargeToBeSimulatedIsNamed) {
+  const TemporaryFolder folder;
+  folder.write("building.cfg", "units m\n");
+  folder.write("room-plain.room", "4 0 0\n1 0 0 1e5 0\n1 1e5 0 1e5 1e5\n1 1e5 1e5 0 1e5\n1 0 1e5 0 0\n");
+  const std::string stands = folder.write("at.csv", "time_s,room,x_m,y_m,heading_deg\n0,plain,5,5,0\n").string();
+  const std::string out = (folder.path() / "x").string();
+  expect_refused({"simulate", "--building", folder.path().string(), "--random", "5", "--out", out}, "room plain is too large");
+  expect_refused({"simulate", "--building", folder.path().string(), "--at", stands, "--out", out}, "room plain is too large");
+  expect_refused({"bench", "--building", folder.path().string(), "--walks", "1"}, "room plain is too large");
+}
+
 TEST(CommandLine, WhatCannotBePrintedIsAnErrorAndNoCrash) {
   const Arguments describe{"describe", kLab};
   EXPECT_EQ(run_echoway(describe, {.out = "/dev/full"}).status, 1);

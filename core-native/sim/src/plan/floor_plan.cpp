@@ -34,6 +34,13 @@ std::vector<std::vector<Passage>> find_passages(const Building& building,
 
 }  // namespace
 
+Status check_floors(const Building& building) {
+  for (const Room& room : building.rooms) {
+    if (!RoomGrid::fits(room)) return Error{"room " + room.id + " is too large to be simulated; check the units of the building"};
+  }
+  return success();
+}
+
 FloorPlan::FloorPlan(const Building& building)
     : building_(building), doorways_(find_doorways(building)), passages_(find_passages(building, doorways_)) {}
 

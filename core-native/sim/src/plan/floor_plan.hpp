@@ -27,9 +27,13 @@ struct Stretch {
   Passage exit;              ///< exit.to is kNoRoom at the end of the way.
 };
 
+/// Whether every room is small enough to walk in; fails with the first that is not.
+[[nodiscard]] Status check_floors(const Building& building);
+
 /// What a wearer knows of a building: doorways, and how to get from one place to another.
 class FloorPlan {
  public:
+  /// REQUIRES: check_floors(building).
   explicit FloorPlan(const Building& building);
 
   [[nodiscard]] const Building& building() const noexcept { return building_; }

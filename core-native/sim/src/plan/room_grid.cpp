@@ -4,6 +4,7 @@
 #include <limits>
 #include <queue>
 
+#include "echoway/geometry/box.hpp"
 #include "echoway/geometry/inclusion.hpp"
 
 namespace echoway::sim {
@@ -20,18 +21,28 @@ bool on_bench(const Room& room, Vec2 p) {
   return on;
 }
 
+Box box_about_walls(const Room& room) {
+  Box box;
+  for (const Segment& wall : room.walls) {
+    box.include(wall.a);
+    box.include(wall.b);
+  }
+  return box;
+}
+
+constexpr double kMostCells = 16e6;
+
 }  // namespace
 
+bool RoomGrid::fits(const Room& room) noexcept {
+  if (room.walls.empty()) return true;
+  const auto [low, high] = box_about_walls(room);
+  return ((high.x - low.x) / kCell + 1.0) * ((high.y - low.y) / kCell + 1.0) <= kMostCells;
+}
+
 RoomGrid::RoomGrid(const Room& room) {
-  Vec2 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  Vec2 high{-low.x, -low.y};
-  for (const Segment& wall : room.walls) {
-    for (const Vec2 p : {wall.a, wall.b}) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-  }
   if (room.walls.empty()) return;
+  const auto [low, high] = box_about_walls(room);
   origin_ = low;
   columns_ = std::max(1, static_cast<int>((high.x - low.x) / kCell) + 1);
   rows_ = std::max(1, static_cast<int>((high.y - low.y) / kCell) + 1);

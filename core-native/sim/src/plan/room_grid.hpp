@@ -12,7 +12,11 @@ namespace echoway::sim {
 /// stand and how to walk from one place to another without brushing a wall.
 class RoomGrid {
  public:
+  /// REQUIRES: fits(room).
   explicit RoomGrid(const Room& room);
+
+  /// Whether the room is small enough for so fine a grid: up to half a kilometre square.
+  [[nodiscard]] static bool fits(const Room& room) noexcept;
 
   /// A way from `from` to `to` as a polyline without `from`; empty when there is none.
   [[nodiscard]] std::vector<Vec2> path(Vec2 from, Vec2 to) const;

@@ -22,7 +22,7 @@ struct RandomWalkOptions {
 };
 
 /// A plausible walk: from goal to goal through doors, with pauses and turns on the spot. The same arguments give the
-/// same walk.
+/// same walk. One that goes nowhere when the building has no rooms, or one that simulate() refuses as too large.
 [[nodiscard]] Walk random_walk(const Building& building, const RandomWalkOptions& options, std::uint64_t seed);
 
 }  // namespace echoway::sim

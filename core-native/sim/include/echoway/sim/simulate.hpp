@@ -19,7 +19,8 @@ struct Simulation {
 };
 
 /// Sends a wearer through `building` as `walk` says. The same building, walk and seed give the same bytes.
-/// Fails when the walk names a room that does not exist, a place outside its room, or one that cannot be reached.
+/// Fails when the walk names a room that does not exist, a place outside its room, or one that cannot be reached, and when
+/// a room is more than half a kilometre large.
 Result<Simulation> simulate(const Building& building, const Walk& walk, std::uint64_t seed);
 
 /// The same with the walk's own seed.
@@ -32,7 +33,8 @@ struct Ring {
 };
 
 /// One whole scan, in no time, at each of `stands`: what a wearer (or a robot) who stands there hears. Rows come stand
-/// by stand, sensor by sensor, with the stand's time. Fails when a stand names a room that does not exist.
+/// by stand, sensor by sensor, with the stand's time. Fails when a stand names a room that does not exist, or
+/// as simulate() does.
 Result<ScanLog> scan_at(const Building& building, const World& world, const Ring& ring,
                         const std::vector<TruthRow>& stands, std::uint64_t seed);
 
