@@ -29,8 +29,8 @@ std::size_t write_estimate(const Estimate& estimate, std::span<std::byte> out) n
 inline constexpr std::size_t kBeltHealthBytes = 2 * 4 + 8 + 5 * 8 + 2 * 4 + 2 * 8 + 24 + kMaxSensors * (4 * 4 + 2 * 8);
 std::size_t write_belt_health(const BeltHealth& health, std::span<std::byte> out) noexcept;
 
-/// org.echoway.core.PlanLayout: name; rooms (id, name, level, frame x y heading, walls, boundary loops); doors; level
-/// links; exits; places. Every list starts with its length (i32), every text with its length in bytes (i32).
+/// org.echoway.core.PlanLayout: name; rooms (id, name, number and name aloud, level, frame x y heading, walls, boundary
+/// loops); doors; level links; exits; places. Every list starts with its length (i32), every text with its length in bytes (i32).
 std::size_t write_plan(const Building& building, std::span<std::byte> out) noexcept;
 
 /// org.echoway.core.CueLayout: time, direction, distance, sigma, time to live (f64), kind, urgency, has direction, up,

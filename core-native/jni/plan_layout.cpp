@@ -1,4 +1,5 @@
 #include "byte_writer.hpp"
+#include "echoway/speech/room_name.hpp"
 #include "layouts.hpp"
 #include "write_list.hpp"
 
@@ -8,6 +9,9 @@ namespace {
 void write_room(ByteWriter& w, const Room& room) noexcept {
   w.text(room.id);
   w.text(room.name);
+  const RoomName aloud = room_name(room);
+  w.text(aloud.number);
+  w.text(aloud.name);
   w.i32(room.level);
   write(w, room.frame.position);
   w.f64(room.frame.heading);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "echoway/geometry/pose2.hpp"
+#include "echoway/speech/room_name.hpp"
 #include "speech/language.hpp"
 
 namespace echoway {
@@ -146,44 +147,12 @@ class Line {
     return counted(t_, unit, spoken.halves);
   }
 
-  /// Letters and figures only, in lower case.
-  [[nodiscard]] static std::string letters_of(const std::string& text) {
-    std::string letters;
-    for (const char c : text) {
-      if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) letters += c;
-      if (c >= 'A' && c <= 'Z') letters += static_cast<char>(c - 'A' + 'a');
-    }
-    return letters.empty() ? text : letters;
-  }
-
-  /// What stands for a room's id aloud. The importer calls rooms without a name by level and number ("2-room-7"): of these
-  /// the number, for the level is told where it changes.
-  [[nodiscard]] static std::string_view spoken_id(std::string_view id) {
-    constexpr std::string_view kNumbered = "-room-";
-    const auto at = id.rfind(kNumbered);
-    if (at == std::string_view::npos) return id;
-    const std::string_view number = id.substr(at + kNumbered.size());
-    const bool figures = number.find_first_not_of("0123456789-") == std::string_view::npos;
-    return figures && !number.empty() ? number : id;
-  }
-
-  /// "2.07" or "B 12": what stands on a door, and no word.
-  [[nodiscard]] static bool is_door_number(std::string_view name) {
-    const auto is_figure = [](unsigned char c) { return c >= '0' && c <= '9'; };
-    const auto is_letter = [](unsigned char c) { return (c | 0x20) >= 'a' && ((c | 0x20) <= 'z' || c >= 0x80); };
-    const auto word = std::ranges::adjacent_find(name, [&](char a, char b) { return is_letter(a) && is_letter(b); });
-    return word == name.end() && std::ranges::any_of(name, is_figure);
-  }
-
   [[nodiscard]] std::string room(RoomIndex index) const {
     if (!building_.has_room(index)) return t_.nowhere;
-    const Room& r = building_.room(index);
-    // An id that was made from the name ("2-main-corridor") is for files, not for ears.
-    if (!r.name.empty() && letters_of(r.id).find(letters_of(r.name)) != std::string::npos) {
-      return is_door_number(r.name) ? with(t_.room, "{id}", r.name) : r.name;
-    }
-    std::string words = with(t_.room, "{id}", spoken_id(r.id));
-    if (!r.name.empty() && r.name != r.id && r.name != words) words.append(", ").append(r.name);
+    const RoomName called = room_name(building_.room(index));
+    if (called.number.empty()) return called.name;
+    std::string words = with(t_.room, "{id}", called.number);
+    if (!called.name.empty() && called.name != words) words.append(", ").append(called.name);
     return words;
   }
 

@@ -27,16 +27,26 @@ data class Frame(val x: Double, val y: Double, val heading: Double) {
  *
  * @property id as in the building's files
  * @property name what a wearer would call it; empty when the building does not say
+ * @property aloud what the core calls it
  * @property boundary closed loops around the floor, first the outer one, then holes
  */
 data class Room(
     val id: String,
     val name: String,
+    val aloud: RoomName,
     val level: Int,
     val frame: Frame,
     val walls: List<Wall>,
     val boundary: List<List<Point>>,
 )
+
+/**
+ * What a room is called aloud, whatever the language: "Room [number], [name]". See `core-native/include/echoway/speech/room_name.hpp`.
+ *
+ * @property number empty for a room that is called by its name alone
+ * @property name empty when the number says all
+ */
+data class RoomName(val number: String, val name: String)
 
 /** A point in a room, by the room's index. */
 data class Spot(val room: Int, val at: Point)

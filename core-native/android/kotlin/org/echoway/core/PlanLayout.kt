@@ -16,6 +16,7 @@ internal class PlanLayout(private val from: ByteBuffer) {
     private fun room() = Room(
         id = text(),
         name = text(),
+        aloud = RoomName(text(), text()),
         level = from.getInt(),
         frame = Frame(from.getDouble(), from.getDouble(), from.getDouble()),
         walls = list { Wall(point(), point()) },

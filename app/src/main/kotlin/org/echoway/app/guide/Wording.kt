@@ -55,26 +55,12 @@ class Wording(private val resources: Resources) {
     /** "Room 2, corridor" */
     fun name(room: Room): String {
         val short = shortName(room)
-        return if (room.name.isEmpty() || short.endsWith(room.name)) short else text(R.string.room_named, short, room.name)
+        val more = room.aloud.name
+        return if (more.isEmpty() || more == short) short else text(R.string.room_named, short, more)
     }
 
-    /** "Room 2"; "Hall", where the id is made of the name and for files, not for ears. The core has it so too. */
-    fun shortName(room: Room): String {
-        val ofTheName = room.name.isNotEmpty() && room.name.lettersOnly() in room.id.lettersOnly()
-        return when {
-            !ofTheName -> text(R.string.room_number, spokenId(room.id))
-            room.name.isDoorNumber() -> text(R.string.room_number, room.name)
-            else -> room.name
-        }
-    }
-
-    /** The number alone of a room without a name that the importer called by level and number ("2-room-7"). */
-    private fun spokenId(id: String) = Regex(".*-room-([0-9-]+)").matchEntire(id)?.groupValues?.get(1) ?: id
-
-    /** "2.07" or "B 12": what stands on a door, and no word. */
-    private fun String.isDoorNumber() = any { it in '0'..'9' } && zipWithNext().none { (a, b) -> a.isLetter() && b.isLetter() }
-
-    private fun String.lettersOnly() = lowercase(Locale.ROOT).filter { it in 'a'..'z' || it in '0'..'9' }.ifEmpty { this }
+    /** "Room 2"; "Hall" for a room that is called by its name alone. */
+    fun shortName(room: Room): String = room.aloud.run { if (number.isEmpty()) name else text(R.string.room_number, number) }
 
     /** What a destination is called. */
     fun name(plan: Plan, destination: Destination): String = when (destination.kind) {

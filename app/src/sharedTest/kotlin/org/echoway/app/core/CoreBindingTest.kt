@@ -16,6 +16,7 @@ import org.echoway.core.MotionHint
 import org.echoway.core.MotionKind
 import org.echoway.core.PlanLoader
 import org.echoway.core.Point
+import org.echoway.core.RoomName
 import org.echoway.core.Start
 import org.echoway.core.TrackState
 import org.junit.Assert.assertEquals
@@ -35,6 +36,8 @@ class CoreBindingTest {
         val plan = laboratory.plan
         assertEquals("Torgersen laboratory", plan.name)
         assertEquals("Seminar room", plan.rooms[seminarRoom].name)
+        assertEquals(RoomName("4", "Seminar room"), plan.rooms[seminarRoom].aloud)
+        assertEquals(RoomName("", "Hall"), plan.rooms.single { it.id == "hall" }.aloud)
         assertTrue(plan.rooms.all { it.walls.size >= 4 && it.boundary.isNotEmpty() })
         val corridor = plan.rooms.indexOfFirst { it.id == "2" }
         val door = plan.doors.single { it.seenFrom(seminarRoom) != null && it.seenFrom(corridor) != null }
@@ -81,6 +84,15 @@ class CoreBindingTest {
             assertThrows(CoreException::class.java) { session.restart(Start(room = 99)) }
             session.restart(Start(room = seminarRoom))
             assertEquals(seminarRoom, session.estimate.room)
+        }
+    }
+
+    @Test fun aPlaceFarOutsideItsRoomIsRefusedAndTheRoomIsDescribed() {
+        val outside = Start(seminarRoom, Point(-5.0, 1.0), 0.0)
+        val refused = assertThrows(CoreException::class.java) { CoreSession.open(laboratory.folder, 0.0, outside) }
+        assertTrue(refused.message, "(-5, 1) lies 5 m outside room 4, whose floor is between (0, 0) and (" in refused.message.orEmpty())
+        CoreSession.open(laboratory.folder, 0.0, Start(room = seminarRoom)).use { session ->
+            assertEquals(refused.message, assertThrows(CoreException::class.java) { session.restart(outside) }.message)
         }
     }
 

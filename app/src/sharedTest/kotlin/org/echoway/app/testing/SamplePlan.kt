@@ -13,6 +13,7 @@ import org.echoway.core.Landmark
 import org.echoway.core.Plan
 import org.echoway.core.Point
 import org.echoway.core.Room
+import org.echoway.core.RoomName
 import org.echoway.core.SensorHealth
 import org.echoway.core.SensorState
 import org.echoway.core.Spot
@@ -24,8 +25,8 @@ object SamplePlan {
     private val corners = listOf(Point(0.0, 0.0), Point(6.0, 0.0), Point(6.0, 4.0), Point(0.0, 4.0))
     private val walls = corners.indices.map { Wall(corners[it], corners[(it + 1) % corners.size]) }
 
-    val office = Room("1", "Office", 0, Frame(0.0, 0.0, 0.0), walls, listOf(corners))
-    val seminar = Room("4", "Seminar room", 0, Frame(6.0, 0.0, 0.0), walls, listOf(corners))
+    val office = Room("1", "Office", RoomName("1", "Office"), 0, Frame(0.0, 0.0, 0.0), walls, listOf(corners))
+    val seminar = Room("4", "Seminar room", RoomName("4", "Seminar room"), 0, Frame(6.0, 0.0, 0.0), walls, listOf(corners))
 
     val plan = Plan(
         name = "Sample",

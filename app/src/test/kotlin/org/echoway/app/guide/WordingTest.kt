@@ -9,6 +9,7 @@ import org.echoway.core.CueKind
 import org.echoway.core.Destination
 import org.echoway.core.DestinationKind
 import org.echoway.core.Language
+import org.echoway.core.RoomName
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertTrue
 import org.junit.Test
@@ -53,20 +54,16 @@ class WordingTest {
         Message.LeadingStopped to "No longer leading you.",
     )
 
-    @Test fun roomsAreCalledByWhatTheirDoorSays() {
-        val wording = Wording.of(context, Language.ENGLISH)
-        fun name(id: String, name: String) = wording.name(SamplePlan.office.copy(id = id, name = name))
-        assertEquals("Room 2, Corridor", name("2", "Corridor"))
-        assertEquals("Room 2", name("2", ""))
-        assertEquals("Room 2", name("2", "Room 2"))
-        assertEquals("Hall", name("hall", "Hall"))
-        assertEquals("Meeting room", name("2-meeting-room", "Meeting room"))
-        assertEquals("Room 3, Küche", name("3", "Küche"))
-        assertEquals("Room 7", name("2-room-7", ""))
-        assertEquals("Room 2.07", name("2-2-07", "2.07"))
-        assertEquals("Room 4", name("4", "4"))
-        assertEquals("3D lab", name("2-3d-lab", "3D lab"))
-        assertEquals("Room break-room-b", name("break-room-b", ""))
+    @Test fun roomsAreCalledAsTheCoreCallsThem() {
+        fun names(number: String, name: String, language: Language = Language.ENGLISH): Pair<String, String> {
+            val room = SamplePlan.office.copy(aloud = RoomName(number, name))
+            return Wording.of(context, language).run { name(room) to shortName(room) }
+        }
+        assertEquals("Room 2, Corridor" to "Room 2", names("2", "Corridor"))
+        assertEquals("Room 2" to "Room 2", names("2", ""))
+        assertEquals("Room 2" to "Room 2", names("2", "Room 2"))
+        assertEquals("Hall" to "Hall", names("", "Hall"))
+        assertEquals("Raum 2, Küche" to "Raum 2", names("2", "Küche", Language.GERMAN))
     }
 
     @Test fun situations() {
