@@ -2,13 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
-#include <limits>
 #include <string_view>
 #include <utility>
 
-#include "echoway/geometry/inclusion.hpp"
+#include "echoway/locate/start_check.hpp"
 #include "echoway/text/number.hpp"
 #include "echoway/text/tokens.hpp"
 #include "option_checks.hpp"
@@ -16,28 +14,8 @@
 namespace echoway::tools {
 namespace {
 
-// Who stands in a doorway, or has paced out where they stand, may be this far beside the room's floor.
-constexpr double kBesideRoom = 1.0;
-
 Error bad_start(const std::string& text, const std::string& why) {
   return {fmt::format("--start {}: {}; give R,x_m,y_m,heading_deg, blank where unknown", text, why)};
-}
-
-/// What is wrong with `at` as a place in `room`, both in the room's frame; blank when nothing is.
-std::string outside(const Room& room, Vec2 at) {
-  double nearest = std::numeric_limits<double>::infinity();
-  Vec2 low{nearest, nearest};
-  Vec2 high = -low;
-  for (const std::vector<Vec2>& loop : room.boundary) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      nearest = std::min(nearest, distance(Segment{loop[i], loop[(i + 1) % loop.size()]}, at));
-      low = {std::min(low.x, loop[i].x), std::min(low.y, loop[i].y)};
-      high = {std::max(high.x, loop[i].x), std::max(high.y, loop[i].y)};
-    }
-  }
-  if (nearest <= kBesideRoom || contains(room.boundary, at)) return {};
-  return fmt::format("({:.4g}, {:.4g}) lies {:.4g} m outside room {}, whose floor is between ({:.4g}, {:.4g}) and ({:.4g}, {:.4g}) m in its own frame",
-                     at.x, at.y, nearest, room.id, low.x, low.y, high.x, high.y);
 }
 
 }  // namespace
@@ -123,11 +101,9 @@ Result<Start> parse_start(const std::string& text, const Building& building) {
     if (!numbers[i - 1]) return bad_start(text, fmt::format("'{}' is not a number", fields[i]));
   }
   if (numbers[0].has_value() != numbers[1].has_value()) return bad_start(text, "x and y belong together");
-  if (numbers[0]) {
-    start.position = Vec2{*numbers[0], *numbers[1]};
-    if (const std::string why = outside(building.room(*start.room), *start.position); !why.empty()) return bad_start(text, why);
-  }
+  if (numbers[0]) start.position = Vec2{*numbers[0], *numbers[1]};
   if (numbers[2]) start.heading = degrees(*numbers[2]);
+  if (const Status good = check_start(start, building); !good) return bad_start(text, good.error().message);
   return start;
 }
 

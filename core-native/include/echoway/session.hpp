@@ -45,7 +45,7 @@ struct SessionConfig {
 class Session {
  public:
   /// Fails when the building is unusable or the configuration makes no sense (sensor count outside 1 ... kMaxSensors,
-  /// negative radius, start room that does not exist, air below absolute zero, anything not finite).
+  /// negative radius, a start where nobody can stand (see check_start()), air below absolute zero, anything not finite).
   static Result<std::unique_ptr<Session>> open(const std::filesystem::path& building_dir, const SessionConfig& config);
   static Result<std::unique_ptr<Session>> open(Building building, const SessionConfig& config);
 
@@ -71,7 +71,7 @@ class Session {
 
   /// Forgets where the wearer is and has been, and starts over (e.g. the wearer says which entrance they stand at). A
   /// destination is kept and the way there told anew; a way back ends with the breadcrumbs that it followed. Fails, and
-  /// changes nothing, when the start makes no sense.
+  /// changes nothing, when nobody can stand there (see check_start()).
   Status restart(const Start& start);
 
   // What the wearer wants. Each is answered by cues too; a failure says why in words for a log.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "echoway/io/logs.hpp"
+#include "echoway/locate/start_check.hpp"
 #include "io/csv.hpp"
 #include "io/log_columns.hpp"
 #include "echoway/text/number.hpp"
@@ -197,6 +198,7 @@ Result<Start> LoggedRestart::start_in(const Building& building) const {
   start.room = found;
   start.position = position;
   start.heading = heading;
+  if (const Status good = check_start(start, building); !good) return good.error();
   return start;
 }
 

@@ -12,6 +12,7 @@
 #include "echoway/building/loader.hpp"
 #include "echoway/guidance/advise.hpp"
 #include "echoway/guidance/guide.hpp"
+#include "echoway/locate/start_check.hpp"
 #include "session/make_locator.hpp"
 
 namespace echoway {
@@ -31,15 +32,6 @@ Status check_belt(const BeltConfig& belt) {
     }
   }
   if (!(belt.radius_m >= 0.0) || !std::isfinite(belt.radius_m)) return Error{"the belt's radius is negative or not finite"};
-  return success();
-}
-
-Status check_start(const Start& start, const Building& building) {
-  const bool has_room = start.room.has_value();
-  if (has_room && !building.has_room(*start.room)) return Error{"the start names a room that the building does not have"};
-  if (!has_room && (start.position || start.heading)) return Error{"a start position or heading needs its room"};
-  if (start.position && !is_finite(*start.position)) return Error{"the start position is not finite"};
-  if (start.heading && !std::isfinite(*start.heading)) return Error{"the start heading is not finite"};
   return success();
 }
 

@@ -38,6 +38,7 @@ void append_number(std::string& out, double value, int decimals) {
 }
 
 std::string brief(double value) {
+  if (!is_writable(value)) return value < 0.0 ? "less than -1e12" : "more than 1e12";
   std::string out;
   append_number(out, value, 2);
   return out;

@@ -13,7 +13,7 @@ inline constexpr double kMaxWritable = 1e12;
 
 [[nodiscard]] bool is_writable(double value) noexcept;
 
-/// `value` for a message to a person: at most two decimals.
+/// `value` for a message to a person: at most two decimals, and that it is beyond kMaxWritable when it is.
 [[nodiscard]] std::string brief(double value);
 
 }  // namespace echoway::text

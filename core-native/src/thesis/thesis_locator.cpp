@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "echoway/locate/start_check.hpp"
 #include "thesis/building_search.hpp"
 #include "thesis/candidate_queue.hpp"
 #include "thesis/exits.hpp"
@@ -332,11 +333,7 @@ Result<std::unique_ptr<Locator>> make_thesis_locator(const Building& building, c
   if (belt.radius_m < 0.0) return Error{"the belt's radius is negative"};
   if (!(belt.max_range_m > 0.0)) return Error{"the belt's maximum range is not positive"};
   if (building.rooms.empty()) return Error{"the building has no rooms"};
-  if (start.room && !building.has_room(*start.room)) return Error{"the start room does not exist"};
-  if (!start.room && (start.position || start.heading)) return Error{"a start position or heading needs its room"};
-  if ((start.position && !is_finite(*start.position)) || (start.heading && !std::isfinite(*start.heading))) {
-    return Error{"the start pose is not finite"};
-  }
+  if (Status good = check_start(start, building); !good) return good.error();
   return std::unique_ptr<Locator>(new thesis::ThesisLocator(building, belt, start, parameters));
 }
 

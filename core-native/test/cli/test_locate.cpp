@@ -169,11 +169,20 @@ TEST_F(Locate, SaysToWhichRoomNothingLeads) {
   EXPECT_NE(to("Kitchen").err.find("--to Kitchen: nothing here is called \"Kitchen\""), std::string::npos) << to("Kitchen").err;
 }
 
+TEST_F(Locate, RefusesARestartFarOutsideItsRoom) {
+  auto log = read_scan_log(prefix_ + ".scans.csv");
+  log->restarts.push_back({1.0, "1", Vec2{10.0, 5.0}, std::nullopt});
+  ASSERT_TRUE(write_scan_log(*log, prefix_ + ".scans.csv").ok());
+  const ProcessResult result = locate({"--start", start_});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find(prefix_ + ".scans.csv: at 1.00 s the start (10, 5) lies "), std::string::npos) << result.err;
+}
+
 TEST_F(Locate, RefusesAStartFarOutsideItsRoomAndSaysWhereTheRoomIs) {
   // Feet where metres are asked for: the room is 3.66 by 4.27 m.
   const ProcessResult far = locate({"--start", "1,10,5,90"});
   EXPECT_EQ(far.status, 2);
-  EXPECT_NE(far.err.find("--start 1,10,5,90: (10, 5) lies "), std::string::npos) << far.err;
+  EXPECT_NE(far.err.find("--start 1,10,5,90: the start (10, 5) lies "), std::string::npos) << far.err;
   EXPECT_NE(far.err.find(" m outside room 1, whose floor is between (0, 0) and ("), std::string::npos) << far.err;
   EXPECT_FALSE(std::filesystem::exists(track_));
   EXPECT_EQ(run_echoway({"monitor", "--building", kLab, "--port", "/no/such", "--start", "1,10,5,90"}).err, far.err);

@@ -47,6 +47,22 @@ TEST(Session, RefusesConfigurationsThatMakeNoSense) {
   EXPECT_FALSE(refuses([](SessionConfig&) {}));
 }
 
+TEST(Session, RefusesAStartFarOutsideItsRoomByEitherMethodAndSaysWhereTheRoomIs) {
+  // Who stands in a doorway, or paced out where they stand, may be a little beside the room.
+  const Start beside{0, Vec2{-0.9, 1.0}, 0.0};
+  const Start far{0, Vec2{-1.1, 1.0}, 0.0};
+  for (const Method method : {Method::bayes, Method::thesis}) {
+    const auto session = open_sample({.method = method, .start = beside});
+    const auto refused = Session::open(kSampleRoom, {.method = method, .start = far});
+    ASSERT_FALSE(refused.ok());
+    EXPECT_NE(refused.error().message.find("the start (-1.1, 1) lies 1.1 m outside room sample, whose floor is between (0, 0) and ("),
+              std::string::npos)
+        << refused.error().message;
+    EXPECT_EQ(session->restart(far).error().message, refused.error().message);
+    EXPECT_FALSE(session->restart({0, Vec2{1e300, 1.0}, 0.0}).ok());
+  }
+}
+
 TEST(Session, ABuildingThatIsMissingIsNamed) {
   const auto session = Session::open("/no/such/building", {});
   ASSERT_FALSE(session.ok());

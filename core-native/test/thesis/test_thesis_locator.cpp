@@ -218,7 +218,7 @@ TEST(ThesisLocator, StandsRandomFiringsOfAnyBelt) {
   for (const int sensors : {1, 3, 15, 64}) {
     BeltConfig belt;
     belt.sensors = sensors;
-    for (const Start& start : {Start{}, Start{0, Vec2{1.0, 1.0}, 0.3}, Start{1, {}, {}}, Start{0, Vec2{400.0, 0.0}, 0.0}}) {
+    for (const Start& start : {Start{}, Start{0, Vec2{1.0, 1.0}, 0.3}, Start{1, {}, {}}, Start{0, Vec2{-0.9, 0.0}, 0.0}}) {
       const auto walker = locator(building, start, belt);
       Random random(static_cast<std::uint64_t>(sensors));
       double time = 0.0;

@@ -145,13 +145,21 @@ void add_starts(std::vector<Case>& table) {
   };
   for (const Place& place : {Place{"a start on a wall", {5.0, 2.0}}, Place{"a start in a corner", {0.0, 0.0}},
                              Place{"a start 0.3 m outside its room", {1.2, -0.3}},
-                             Place{"a start 100 m outside the building", {-100.0, 40.0}},
-                             Place{"a start 1e6 m outside the building", {1e6, 1e6}},
-                             Place{"a start at 1e300", {1e300, -1e300}}}) {
+                             Place{"a start 0.99 m outside its room", {1.2, -0.99}}}) {
     table.push_back({"Estimation: starts", place.title, [=] {
                        Wearer w = wearer(45.0);
                        w.config.start.position = place.at;
                        return still_found(follow(w));
+                     }});
+  }
+  for (const Place& place : {Place{"a start 1.01 m outside its room", {1.2, -1.01}},
+                             Place{"a start 100 m outside the building", {-100.0, 40.0}},
+                             Place{"a start at 1e300", {1e300, -1e300}}}) {
+    table.push_back({"Estimation: starts", place.title, [=] {
+                       Wearer w = wearer(1.0);
+                       w.config.start.position = place.at;
+                       const auto opened = Session::open(w.building, w.config);
+                       return holds("refused", !opened, opened ? "opened" : "refused");
                      }});
   }
   table.push_back({"Estimation: starts", "a start with the heading turned by 1e6 times 2 pi", [] {

@@ -34,7 +34,7 @@ struct LoggedRestart {
   std::optional<Vec2> position;   ///< In the room's frame.
   std::optional<double> heading;  ///< The same, radians.
 
-  /// Where to start in `building`; fails when it has no such room.
+  /// Where to start in `building`; fails when nobody can stand there (see check_start()).
   [[nodiscard]] Result<Start> start_in(const Building& building) const;
 };
 

@@ -10,7 +10,7 @@
 
 namespace echoway {
 
-/// What is known of the wearer's pose at the start; everything unset is unknown.
+/// What is known of the wearer's pose at the start; everything unset is unknown. check_start() says which can be.
 struct Start {
   std::optional<RoomIndex> room;
   std::optional<Vec2> position;     ///< In the room's frame. REQUIRES: room.

@@ -20,7 +20,7 @@ namespace echoway {
 /// - It reports no sensor suspicions. Sensors that say nothing are left out of the match.
 ///
 /// What it needs of `building` is copied. Fails when the belt or the start makes no sense: sensors outside
-/// 1 ... kMaxSensors, anything not finite, a room that does not exist, a position or heading without a room.
+/// 1 ... kMaxSensors, anything not finite, a start where nobody can stand (see check_start()).
 Result<std::unique_ptr<Locator>> make_thesis_locator(const Building& building, const BeltConfig& belt,
                                                      const Start& start, const ThesisParameters& parameters = {});
 
