@@ -35,7 +35,9 @@ void BayesLocator::Core::start_doubting() {
   if (echoes_since(begin) < kFewestEchoes) return;
   rivals_.dismiss_all();
   if (model_ == &wary_) model_ = &keen_;
-  search_.start(SearchDomain{}, begin, now);
+  SearchDomain domain;
+  domain.thorough = true;
+  search_.start(domain, begin, now);
   doubt_ = Doubt::running;
 }
 

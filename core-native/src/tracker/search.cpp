@@ -21,7 +21,7 @@ constexpr double kRefinedSigma = 0.25;    // and of one drawn from it.
 }  // namespace
 
 Search::Search(const scene::Scene& scene, const Parameters& parameters)
-    : parameters_(parameters), refinement_(parameters.refined) {
+    : parameters_(parameters), refinement_(std::max(parameters.refined, parameters.refined_thoroughly)) {
   survivors_.resize(parameters_.keep);
   for (std::size_t r = 0; r < scene.room_count(); ++r) {
     const auto& room = scene.room(static_cast<RoomIndex>(r));
@@ -256,8 +256,7 @@ void Search::draw_from_survivors(const SearchTools& tools, Random& random) noexc
   const auto flattened = [&](std::size_t i) { return fast_exp(kFlattening * (survivors_[i].log_likelihood - best)); };
   double sum = 0.0;
   for (std::size_t i = 0; i < count_; ++i) sum += flattened(i);
-  const std::size_t anywhere = heading_is_known() ? parameters_.refined_facing : parameters_.refined;
-  const std::size_t drawn = is_local() ? parameters_.refined_locally : anywhere;
+  const std::size_t drawn = to_draw();
   const double step = sum / static_cast<double>(drawn);
   double at = random.uniform() * step;
   double reached = flattened(0);

@@ -24,6 +24,7 @@ struct SearchDomain {
   std::optional<double> within;               ///< Metres: look no farther from there, on any level,
   std::optional<double> kept_heading;         ///< When set, headings near this one are likelier (that room's frame, at the start).
   std::optional<double> near_heading;         ///< and, when set, only about this heading (that room's frame).
+  bool thorough = false;                      ///< Places that no echo tells apart shall all be found.
   const LevelBelief* levels = nullptr;        ///< When set, places on levels where the wearer has been are likelier.
 };
 
@@ -41,7 +42,8 @@ class Search {
     double heading_step = degrees(12.0);  ///< Half the angle between sensors, as a panorama's directions.
     double give_up = 8.0;                ///< Log likelihood behind the best at the same firing.
     std::size_t keep = 4000;             ///< Survivors of the sweep.
-    std::size_t refined = 2400;          ///< Particles drawn from them ...
+    std::size_t refined = 1500;          ///< Particles drawn from them, ...
+    std::size_t refined_thoroughly = 2400;   ///< more where none of like places may be missed, ...
     std::size_t refined_facing = 800;    ///< ... fewer when it is known where the wearer faces,
     std::size_t refined_locally = 600;   ///< and of a search that only looks about a place.
     std::size_t budget = 60000;          ///< Readings looked up in a panorama per slice ...
@@ -105,6 +107,11 @@ class Search {
   void keep(const Survivor& survivor) noexcept;
   void in_order_of_place() noexcept;
   void draw_from_survivors(const SearchTools& tools, Random& random) noexcept;
+  [[nodiscard]] std::size_t to_draw() const noexcept {
+    if (is_local()) return parameters_.refined_locally;
+    if (heading_is_known()) return parameters_.refined_facing;
+    return domain_.thorough ? parameters_.refined_thoroughly : parameters_.refined;
+  }
   [[nodiscard]] double heading_cell() const noexcept {
     return heading_is_known() ? domain_.heading_sigma : parameters_.heading_step;
   }
