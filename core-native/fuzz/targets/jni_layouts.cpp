@@ -11,6 +11,7 @@
 #include "plans/plans.hpp"
 #include "reader.hpp"
 #include "target.hpp"
+#include "text/utf8.hpp"
 
 namespace echoway::fuzz {
 namespace {
@@ -163,7 +164,7 @@ std::string jni_layouts(Bytes data) {
   const auto findings = copies(in, 256, [&] {
     return Finding{Finding::Severity::warning, Finding::Kind::bad_line, any_text(in), in.integer(), any_text(in)};
   });
-  const std::string words = any_text(in);
+  const std::string words = text::to_utf8(any_text(in));  // As a speaker's are, whatever the files hold.
   std::string broken = check_writer(size, [&](auto out) { return jni::write_estimate(estimate, out); });
   if (broken.empty()) broken = check_writer(size, [&](auto out) { return jni::write_belt_health(health, out); });
   if (broken.empty()) broken = check_writer(size, [&](auto out) { return jni::write_plan(building, out); });
