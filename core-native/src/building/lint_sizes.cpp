@@ -4,6 +4,7 @@
 
 #include "building/lint.hpp"
 #include "building/phrases.hpp"
+#include "echoway/geometry/box.hpp"
 #include "echoway/geometry/inclusion.hpp"
 
 namespace echoway {
@@ -31,14 +32,7 @@ struct Extent {
 };
 
 Extent extent_of(const Room& room) {
-  Vec2 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  Vec2 high{-low.x, -low.y};
-  for (const Segment& wall : room.walls) {
-    for (const Vec2 p : {wall.a, wall.b}) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-  }
+  const auto [low, high] = box_about(room.walls);
   const double farthest = std::max({std::abs(low.x), std::abs(low.y), std::abs(high.x), std::abs(high.y)});
   return {high.x - low.x, high.y - low.y, farthest};
 }

@@ -144,13 +144,12 @@ void compile_own(const Room& room, RoomScene& scene) {
 }
 
 void place_grid(RoomScene& scene, double cell_size, std::uint32_t& next_cell) {
-  scene.low = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  scene.high = -scene.low;
-  for (Vec2 v : scene.floor.vertices) {
-    scene.low = {std::min(scene.low.x, v.x), std::min(scene.low.y, v.y)};
-    scene.high = {std::max(scene.high.x, v.x), std::max(scene.high.y, v.y)};
+  Bounds floor;
+  for (Vec2 v : scene.floor.vertices) floor.include(v);
+  if (!scene.floor.vertices.empty()) {
+    scene.low = floor.low;
+    scene.high = floor.high;
   }
-  if (scene.floor.vertices.empty()) scene.low = scene.high = Vec2{};
   const Vec2 size = scene.high - scene.low + Vec2{2 * kMargin, 2 * kMargin};
   scene.cell_size = std::max(cell_size, std::sqrt(size.x * size.y / kMaxCellsPerRoom));
   scene.cell_size = std::max(scene.cell_size, std::max(size.x, size.y) / 4096.0);

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
 
+#include "echoway/geometry/box.hpp"
 #include "echoway/geometry/segment.hpp"
 
 namespace echoway::scene {
@@ -100,14 +100,8 @@ class Hull {
 };
 
 /// Bounding box of some points: most of a large room's walls are ruled out by it alone.
-struct Bounds {
-  Vec2 low{1e300, 1e300};
-  Vec2 high{-1e300, -1e300};
-  void include(Vec2 p) noexcept {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  [[nodiscard]] Bounds grown(double by) const noexcept { return {low - Vec2{by, by}, high + Vec2{by, by}}; }
+struct Bounds : echoway::Box {
+  [[nodiscard]] Bounds grown(double by) const noexcept { return {{low - Vec2{by, by}, high + Vec2{by, by}}}; }
   [[nodiscard]] bool misses(const Segment& s) const noexcept {
     return (s.a.x < low.x && s.b.x < low.x) || (s.a.x > high.x && s.b.x > high.x) ||
            (s.a.y < low.y && s.b.y < low.y) || (s.a.y > high.y && s.b.y > high.y);

@@ -35,9 +35,7 @@ void BayesLocator::Core::start_doubting() {
   if (echoes_since(begin) < kFewestEchoes) return;
   rivals_.dismiss_all();
   if (model_ == &wary_) model_ = &keen_;
-  SearchDomain domain;
-  domain.thorough = true;
-  search_.start(domain, begin, now);
+  search_.start({.thorough = true}, begin, now);
   doubt_ = Doubt::running;
 }
 

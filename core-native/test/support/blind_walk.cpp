@@ -6,6 +6,7 @@
 #include <deque>
 #include <map>
 
+#include "echoway/geometry/box.hpp"
 #include "echoway/speech/speaker.hpp"
 
 namespace echoway::test {
@@ -391,14 +392,7 @@ Spot random_spot(const Router& router, Random& random) {
   const Building& b = router.building();
   for (int attempt = 0; attempt < 2000; ++attempt) {
     const auto room = static_cast<RoomIndex>(random.uniform(0.0, static_cast<double>(b.rooms.size())));
-    Vec2 low{1e9, 1e9};
-    Vec2 high{-1e9, -1e9};
-    for (const Segment& w : b.room(room).walls) {
-      for (const Vec2 p : {w.a, w.b}) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-      }
-    }
+    const auto [low, high] = box_about(b.room(room).walls);
     const Vec2 p{random.uniform(low.x, high.x), random.uniform(low.y, high.y)};
     if (router.space(room).contains(p) && router.space(room).clearance(p, 0.5) >= 0.5) return {room, p};
   }

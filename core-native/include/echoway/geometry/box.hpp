@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "echoway/geometry/segment.hpp"
 #include "echoway/geometry/vec2.hpp"
 
 namespace echoway {
@@ -25,6 +26,16 @@ struct Box {
   Box box;
   for (const std::vector<Vec2>& loop : loops) {
     for (const Vec2 p : loop) box.include(p);
+  }
+  return box;
+}
+
+/// About walls such as Room::walls.
+[[nodiscard]] inline Box box_about(std::span<const Segment> walls) noexcept {
+  Box box;
+  for (const Segment& wall : walls) {
+    box.include(wall.a);
+    box.include(wall.b);
   }
   return box;
 }

@@ -21,28 +21,19 @@ bool on_bench(const Room& room, Vec2 p) {
   return on;
 }
 
-Box box_about_walls(const Room& room) {
-  Box box;
-  for (const Segment& wall : room.walls) {
-    box.include(wall.a);
-    box.include(wall.b);
-  }
-  return box;
-}
-
 constexpr double kMostCells = 16e6;
 
 }  // namespace
 
 bool RoomGrid::fits(const Room& room) noexcept {
   if (room.walls.empty()) return true;
-  const auto [low, high] = box_about_walls(room);
+  const auto [low, high] = box_about(room.walls);
   return ((high.x - low.x) / kCell + 1.0) * ((high.y - low.y) / kCell + 1.0) <= kMostCells;
 }
 
 RoomGrid::RoomGrid(const Room& room) {
   if (room.walls.empty()) return;
-  const auto [low, high] = box_about_walls(room);
+  const auto [low, high] = box_about(room.walls);
   origin_ = low;
   columns_ = std::max(1, static_cast<int>((high.x - low.x) / kCell) + 1);
   rows_ = std::max(1, static_cast<int>((high.y - low.y) / kCell) + 1);
