@@ -1,6 +1,5 @@
 #include <fcntl.h>
 #include <fmt/core.h>
-#include <poll.h>
 #include <stdlib.h>
 #include <sys/ioctl.h>
 #include <termios.h>
@@ -24,6 +23,7 @@
 #include "echoway/io/logs.hpp"
 #include "echoway/units.hpp"
 #include "option_checks.hpp"
+#include "wait_to_write.hpp"
 
 namespace echoway::tools {
 namespace {
@@ -69,7 +69,7 @@ class BeltTerminal {
       const ssize_t count = ::write(descriptor_, sentence.data(), sentence.size());
       if (count < 0 && errno != EAGAIN && errno != EINTR) return false;
       if (count > 0) sentence.remove_prefix(static_cast<std::size_t>(count));
-      if (!sentence.empty() && !drains(patience)) return false;
+      if (!sentence.empty() && !wait_to_write(descriptor_, patience)) return false;
     }
     return true;
   }
@@ -80,11 +80,6 @@ class BeltTerminal {
   }
 
  private:
-  [[nodiscard]] bool drains(std::chrono::milliseconds patience) const {
-    pollfd line{descriptor_, POLLOUT, 0};
-    return ::poll(&line, 1, static_cast<int>(patience.count())) > 0 && (line.revents & POLLOUT) != 0;
-  }
-
   int descriptor_ = -1;
   int listener_side_ = -1;
   std::string name_;
