@@ -120,6 +120,7 @@ void start_at_sharpest(std::vector<Vec2>& r) {
 }  // namespace
 
 void Shape::Deleter::operator()(GEOSGeometry* g) const noexcept { GEOSGeom_destroy_r(h(), g); }
+void Shape::Deleter::operator()(const GEOSPreparedGeometry* g) const noexcept { GEOSPreparedGeom_destroy_r(h(), g); }
 Shape::Shape() : geometry_(GEOSGeom_createEmptyPolygon_r(h())) {}
 Shape::Shape(GEOSGeometry* owned) : geometry_(owned) {
   if (owned == nullptr) context().fail("overlay");
@@ -128,6 +129,16 @@ Shape::Shape(const Shape& other) : geometry_(GEOSGeom_clone_r(h(), other.get()))
 Shape& Shape::operator=(const Shape& other) {
   if (this != &other) *this = Shape(other);
   return *this;
+}
+Shape& Shape::operator=(Shape&& other) noexcept {
+  indexed_ = std::move(other.indexed_);  // before what it refers to
+  geometry_ = std::move(other.geometry_);
+  return *this;
+}
+const GEOSPreparedGeometry* Shape::indexed() const {
+  if (indexed_ == nullptr) indexed_.reset(GEOSPrepare_r(h(), get()));
+  if (indexed_ == nullptr) context().fail("index");
+  return indexed_.get();
 }
 bool Shape::empty() const { return GEOSisEmpty_r(h(), get()) == 1; }
 double Shape::area() const {
@@ -172,7 +183,7 @@ double distance(const Shape& a, const Shape& b) {
   return d;
 }
 double distance(const Shape& a, Vec2 p) { return distance(a, point(p)); }
-bool contains(const Shape& area, Vec2 p) { return GEOSContains_r(h(), area.get(), point(p).get()) == 1; }
+bool contains(const Shape& area, Vec2 p) { return GEOSPreparedContains_r(h(), area.indexed(), point(p).get()) == 1; }
 
 Vec2 nearest_on(const Shape& shape, Vec2 p) {
   GEOSCoordSequence* pair = GEOSNearestPoints_r(h(), shape.get(), point(p).get());

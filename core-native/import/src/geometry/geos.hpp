@@ -32,9 +32,11 @@ class Shape {
   Shape(const Shape& other);
   Shape& operator=(const Shape& other);
   Shape(Shape&&) noexcept = default;
-  Shape& operator=(Shape&&) noexcept = default;
+  Shape& operator=(Shape&& other) noexcept;
 
   [[nodiscard]] const GEOSGeometry* get() const noexcept { return geometry_.get(); }
+  /// The same with an index that finds in O(log n) whether a point lies in it; made when first asked for.
+  [[nodiscard]] const GEOSPreparedGeometry* indexed() const;
   [[nodiscard]] bool empty() const;
   [[nodiscard]] double area() const;
   [[nodiscard]] double length() const;
@@ -42,8 +44,10 @@ class Shape {
  private:
   struct Deleter {
     void operator()(GEOSGeometry* g) const noexcept;
+    void operator()(const GEOSPreparedGeometry* g) const noexcept;
   };
   std::unique_ptr<GEOSGeometry, Deleter> geometry_;
+  mutable std::unique_ptr<const GEOSPreparedGeometry, Deleter> indexed_;  // refers to `geometry_`
 };
 
 [[nodiscard]] Shape point(Vec2 p);
