@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "console.hpp"
 #include "echoway/locate/start_check.hpp"
 #include "echoway/text/number.hpp"
 #include "echoway/text/tokens.hpp"
@@ -73,6 +74,9 @@ Result<std::unique_ptr<Session>> SessionOptions::open(Building building_model, c
   if (!session || destination.empty()) return session;
   const Status set = (*session)->set_destination(destination, RoutePreferences{avoid_stairs});
   if (!set) return Error{fmt::format("--to {}: {}", destination, set.error().message)};
+  // The wearer may not be where they say: they are followed all the same, and told so again by a cue.
+  const Status way = (*session)->check_way_from_start();
+  if (!way) complain(fmt::format("--to {}: {}", destination, way.error().message));
   return session;
 }
 

@@ -74,7 +74,8 @@ class Session {
   /// changes nothing, when nobody can stand there (see check_start()).
   Status restart(const Start& start);
 
-  // What the wearer wants. Each is answered by cues too; a failure says why in words for a log.
+  // What the wearer wants. Each is answered by cues too; a failure says why in words for a log. A destination in a room that
+  // nothing leads into, or only doors too narrow for a person, is refused to who is not in that room.
   /// To a place, an exit or a room, by the name or id that a wearer would say ("Lectern", "4", "exit").
   Status set_destination(std::string_view name, RoutePreferences preferences = {});
   /// The same for one of the building's places, exits or rooms, or any spot.
@@ -94,6 +95,9 @@ class Session {
   bool next_cue(Cue& cue);
   /// False once the wearer has arrived and stays.
   [[nodiscard]] bool has_destination() const;
+  /// Whether a way leads to the destination from where the session's start says that the wearer is. Fails, naming the rooms
+  /// and what is between them, when none does; success where the start names no room, and without a destination.
+  [[nodiscard]] Status check_way_from_start() const;
   /// How far the nearest thing in the way is that no plan knows, metres from the chest; negative when there is none, or the
   /// position is not known well enough to tell.
   [[nodiscard]] double obstacle_ahead_m() const;

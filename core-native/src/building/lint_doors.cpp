@@ -14,8 +14,6 @@ using Kind = Finding::Kind;
 /// A door's position may be the middle of a wall of twice this thickness.
 constexpr double kOffWall = feet(0.3) + kSamePoint;
 
-constexpr double kNarrowestDoor = feet(1.3);
-
 /// Lines about one door may differ by rounding.
 constexpr double kLinesAgree = kSnapDistance;
 
@@ -87,9 +85,11 @@ class DoorLint {
   void lint_width(std::size_t i) {
     const Door& door = building_.doors[i];
     const DoorLines& lines = assembly_.door_lines[i];
-    if (door.width < kNarrowestDoor || door.width > kWidestDoor) {
+    if (!is_passable(door) || door.width > kWidestDoor) {
+      const char* consequence = is_passable(door) ? "" : ", and nobody is led through";
       warn(Kind::door_width, i,
-           name(door) + " is " + phrases_.length(door.width) + " wide; write its clear width in the building's unit");
+           name(door) + " is " + phrases_.length(door.width) + " wide" + consequence +
+               "; write its clear width in the building's unit");
       return;
     }
     if (!lines.width_given) return;

@@ -38,6 +38,7 @@ class Follower {
   void start_over();
   [[nodiscard]] bool active() const noexcept { return way_.active(); }
   [[nodiscard]] const Route& route() const noexcept { return way_.route(); }
+  [[nodiscard]] Status check_way(RoomIndex room, std::optional<Vec2> at) const { return way_.check(room, at); }
 
   /// Offers at most one line to `voice`. `vague`: only coarse instructions. `turning`: the wearer turns just now and is not
   /// told where to go before they stand still.

@@ -29,7 +29,7 @@ struct Guide::Impl {
       : router(&r), config(c), voice(config), certainty(r, config), heard(config.belt), follower(r, config, heard),
         obstacles(r, config), search(r, config, heard, turning), answers(r), passing(r), climbing(r, config) {}
 
-  Status lead_to(const Goal& goal, RoutePreferences preferences);
+  Status lead_to(const Goal& goal, RoutePreferences preferences, RoomIndex here);
   void restart();
   void update(const Estimate& newest, std::span<const Hypothesis> hypotheses);
   void answer_between_levels();
@@ -70,24 +70,27 @@ Guide::Guide(Guide&&) noexcept = default;
 Guide& Guide::operator=(Guide&&) noexcept = default;
 Guide::~Guide() = default;
 
-Status Guide::Impl::lead_to(const Goal& goal, RoutePreferences preferences) {
+Status Guide::Impl::lead_to(const Goal& goal, RoutePreferences preferences, RoomIndex here) {
   Result<RouteTree> tree = router->tree_to(goal, preferences);
   if (!tree) return tree.error();
+  if (Status reachable = router->check_goal(*tree, here); !reachable) return reachable;
   follower.lead_to(std::move(*tree));
   answers.ask_destination();
   return success();
 }
 
-Status Guide::set_destination(const Goal& goal, RoutePreferences preferences) { return impl_->lead_to(goal, preferences); }
-
-Status Guide::set_destination(std::string_view name, RoutePreferences preferences) {
-  const Result<Goal> goal = impl_->router->find_goal(name);
-  if (!goal) return goal.error();
-  return impl_->lead_to(*goal, preferences);
+Status Guide::set_destination(const Goal& goal, RoutePreferences preferences, RoomIndex here) {
+  return impl_->lead_to(goal, preferences, here);
 }
 
-Status Guide::way_out(RoutePreferences preferences) {
-  return impl_->lead_to({Goal::Kind::nearest_exit, -1, {}}, preferences);
+Status Guide::set_destination(std::string_view name, RoutePreferences preferences, RoomIndex here) {
+  const Result<Goal> goal = impl_->router->find_goal(name);
+  if (!goal) return goal.error();
+  return impl_->lead_to(*goal, preferences, here);
+}
+
+Status Guide::way_out(RoutePreferences preferences, RoomIndex here) {
+  return impl_->lead_to({Goal::Kind::nearest_exit, -1, {}}, preferences, here);
 }
 
 Status Guide::back_track() {
@@ -108,6 +111,7 @@ bool Guide::take_doubt() {
   return std::exchange(impl_->doubts_level, false) || gets_nowhere;
 }
 bool Guide::has_destination() const { return impl_->follower.active(); }
+Status Guide::check_way(RoomIndex room, std::optional<Vec2> at) const { return impl_->follower.check_way(room, at); }
 double Guide::obstacle_ahead_m() const { return impl_->obstacle_m; }
 const Route& Guide::route() const { return impl_->follower.route(); }
 std::span<const Spot> Guide::breadcrumbs() const { return impl_->crumbs.all(); }

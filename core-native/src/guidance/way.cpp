@@ -42,6 +42,10 @@ void Way::start_over() {
   else clear();
 }
 
+Status Way::check(RoomIndex room, std::optional<Vec2> at) const {
+  return mode_ == Mode::tree ? router_->check_way(room, at, tree_) : success();
+}
+
 /// The door or stairs of the way so far, while the wearer is in the same room.
 BoundFor Way::bound_for(const Estimate& e) const {
   for (const Waypoint& w : route_.waypoints) {

@@ -26,6 +26,9 @@ class Way {
   void start_over();
   [[nodiscard]] bool active() const noexcept { return mode_ != Mode::none; }
 
+  /// Whether there is one to the destination from `at` in a room, or from somewhere in it; a way back is not looked at.
+  [[nodiscard]] Status check(RoomIndex room, std::optional<Vec2> at) const;
+
   /// Lays the way out from here; false when there is none.
   [[nodiscard]] bool find(const Estimate& estimate);
   /// Where the way leads at first from here, in the room's frame; the way that find() laid out stays. None when there is none.

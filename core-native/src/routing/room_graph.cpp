@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "echoway/building/opening.hpp"
 #include "routing/corners.hpp"
 
 namespace echoway::routing {
@@ -40,7 +41,10 @@ struct Portal {
 
 std::vector<Portal> portals_of(const Building& building, RoomIndex room, const FreeSpace& space) {
   std::vector<Portal> portals;
-  for (const Passage& p : space.passages()) portals.push_back({PortalKind::door, p.door, p.centre, p.inward});
+  for (const Passage& p : space.passages()) {
+    if (!is_passable(building.doors[static_cast<std::size_t>(p.door)])) continue;
+    portals.push_back({PortalKind::door, p.door, p.centre, p.inward});
+  }
   for (std::size_t i = 0; i < building.links.size(); ++i) {
     const LevelLink& link = building.links[i];
     const auto index = static_cast<std::int32_t>(i);

@@ -2,6 +2,7 @@
 #include <limits>
 #include <queue>
 
+#include "echoway/geometry/box.hpp"
 #include "echoway/routing/router.hpp"
 
 namespace echoway {
@@ -9,7 +10,19 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+Vec2 middle_of(const Room& room) {
+  if (room.walls.empty()) return {};
+  const Box about = box_about(room.walls);
+  return 0.5 * (about.low + about.high);
+}
+
 }  // namespace
+
+bool Router::leads_out(std::int32_t node) const {
+  const auto begin = edges_.begin() + edge_begin_[static_cast<std::size_t>(node)];
+  const auto end = edges_.begin() + edge_begin_[static_cast<std::size_t>(node) + 1];
+  return std::any_of(begin, end, [this](const Edge& edge) { return edge.to >= room_begin_.back(); });
+}
 
 Spot Router::stand(const Spot& spot) const {
   const FreeSpace& free = space(spot.room);
@@ -48,12 +61,10 @@ std::vector<RouteTree::Target> Router::targets_of(const Goal& goal) const {
       // A room is reached in front of any of its doors or stairs, on the inside.
       for (std::int32_t n = room_begin_[static_cast<std::size_t>(goal.index)];
            n < room_begin_[static_cast<std::size_t>(goal.index) + 1]; ++n) {
-        for (std::int32_t e = edge_begin_[static_cast<std::size_t>(n)]; e < edge_begin_[static_cast<std::size_t>(n) + 1]; ++e) {
-          if (edges_[static_cast<std::size_t>(e)].to < room_begin_.back()) continue;
-          targets.push_back({goal, {goal.index, nodes_[static_cast<std::size_t>(n)].at}});
-          break;
-        }
+        if (leads_out(n)) targets.push_back({goal, {goal.index, nodes_[static_cast<std::size_t>(n)].at}});
       }
+      // Where nothing leads in, whoever is inside has arrived.
+      if (targets.empty()) targets.push_back({goal, stand({goal.index, middle_of(building_->room(goal.index))})});
       break;
   }
   return targets;
@@ -72,9 +83,7 @@ Result<RouteTree> Router::tree_to(const Goal& goal, RoutePreferences preferences
       case Goal::Kind::place:
         return Error{"this building names no such place; add a line `place R x y \"name\"` to its building.cfg"};
       case Goal::Kind::room:
-        if (!building_->has_room(goal.index)) return Error{"this building has no such room"};
-        return Error{"nothing leads into room " + building_->room(goal.index).id +
-                     ": no door, stairs or elevator of the building is joined to it"};
+        return Error{"this building has no such room"};
       case Goal::Kind::spot:
         return Error{"the destination lies in no room of this building"};
     }

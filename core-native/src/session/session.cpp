@@ -108,6 +108,12 @@ struct Session::Impl {
     take_firing({clock.stamp(seq, arrival).time_s, sensor, range});
   }
 
+  /// The one they are found in or, before, said that they are in.
+  [[nodiscard]] RoomIndex wearers_room() const {
+    const RoomIndex found = locator->estimate().room;
+    return building.has_room(found) ? found : config.start.room.value_or(kNoRoom);
+  }
+
   void copy_counters() {
     const SentenceCounts& counts = decoder.counts();
     BeltHealth& health = monitor.counters();
@@ -198,20 +204,24 @@ Status Session::restart(const Start& start) {
 }
 
 Status Session::set_destination(std::string_view name, RoutePreferences preferences) {
-  return impl_->guide.set_destination(name, preferences);
+  return impl_->guide.set_destination(name, preferences, impl_->wearers_room());
 }
 
 Status Session::set_destination(const Goal& goal, RoutePreferences preferences) {
-  return impl_->guide.set_destination(goal, preferences);
+  return impl_->guide.set_destination(goal, preferences, impl_->wearers_room());
 }
 
-Status Session::way_out(RoutePreferences preferences) { return impl_->guide.way_out(preferences); }
+Status Session::way_out(RoutePreferences preferences) { return impl_->guide.way_out(preferences, impl_->wearers_room()); }
 Status Session::back_track() { return impl_->guide.back_track(); }
 void Session::clear_destination() { impl_->guide.clear_destination(); }
 void Session::where_am_i() { impl_->guide.where_am_i(); }
 bool Session::repeat() { return impl_->guide.repeat(); }
 bool Session::next_cue(Cue& cue) { return impl_->guide.next_cue(cue); }
 bool Session::has_destination() const { return impl_->guide.has_destination(); }
+Status Session::check_way_from_start() const {
+  const Start& start = impl_->config.start;
+  return start.room ? impl_->guide.check_way(*start.room, start.position) : success();
+}
 double Session::obstacle_ahead_m() const { return impl_->guide.obstacle_ahead_m(); }
 const Route& Session::route() const { return impl_->guide.route(); }
 std::span<const Spot> Session::breadcrumbs() const { return impl_->guide.breadcrumbs(); }

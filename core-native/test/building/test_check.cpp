@@ -310,7 +310,9 @@ TEST_F(CheckBuilding, LinesThatDisagreeAboutADoor) {
 TEST_F(CheckBuilding, DoorsOfAbsurdWidth) {
   two_rooms();
   config("door A 10 5 B 0 5 width 0.3\n");
-  EXPECT_THAT(findings(), ElementsAre(HasSubstr("is 0.3 ft wide")));
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("is 0.3 ft wide, and nobody is led through; write its clear width")));
+  config("door A 10 5 B 0 5 width 40\n");
+  EXPECT_THAT(findings(), Contains(HasSubstr("is 40 ft wide; write its clear width")));
   config("door A 10 5 B 0 5 width -3\n");
   EXPECT_THAT(findings(), ElementsAre(HasSubstr("width is not positive")));
 }

@@ -169,6 +169,78 @@ TEST_F(Locate, SaysToWhichRoomNothingLeads) {
   EXPECT_NE(to("Kitchen").err.find("--to Kitchen: nothing here is called \"Kitchen\""), std::string::npos) << to("Kitchen").err;
 }
 
+/// A hall and a vault, 4 m square, with a slit of 0.25 m between them, and a cell that no door leads into.
+class LocateBeyondASlit : public Locate {
+ protected:
+  void SetUp() override {
+    Locate::SetUp();
+    plan_.write("building.cfg", "units m\ndoor hall 4 2 vault 0 2 width 0.25\nplace vault 2 2 \"Safe\"\n");
+    for (const char* room : {"room-hall.room", "room-vault.room", "room-cell.room"}) {
+      plan_.write(room, "4 0 0\n1 0 0 4 0\n1 4 0 4 4\n1 4 4 0 4\n1 0 4 0 0\n");
+    }
+    log_ = folder_.write("log.csv", "time_s,sensor,range_m\n0.0,0,1.5\n0.1,1,1.5\n0.2,2,1.5\n").string();
+  }
+  [[nodiscard]] ProcessResult to(const std::string& goal, const std::string& start) const {
+    std::vector<std::string> arguments{"locate", "--building", plan_.path().string(), "--scans", log_, "--to", goal, "--track", track_};
+    if (!start.empty()) arguments.insert(arguments.end(), {"--start", start});
+    return run_echoway(arguments);
+  }
+  TemporaryFolder plan_;
+  std::string log_;
+};
+
+TEST_F(LocateBeyondASlit, NamesTheDoorAndItsWidth) {
+  for (const char* goal : {"vault", "Safe"}) {
+    for (const char* start : {"", "hall,1,2,0"}) {
+      const ProcessResult result = to(goal, start);
+      EXPECT_EQ(result.status, 2);
+      EXPECT_NE(result.err.find(": nothing leads into room vault: the door between rooms 'hall' and 'vault' is 0.25 m wide"),
+                std::string::npos)
+          << result.err;
+    }
+  }
+}
+
+TEST_F(LocateBeyondASlit, WhoIsThereIsTold) {
+  for (const char* goal : {"vault", "cell"}) {
+    const ProcessResult result = to(goal, std::string(goal) + ",2,2,0");
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+  }
+}
+
+TEST_F(Locate, SaysAtOnceThatNoWayLeadsFromTheStart) {
+  const TemporaryFolder plan;
+  plan.write("building.cfg", "units m\ndoor hall 4 2 vault 0 2 width 0.25\ndoor vault 4 2 cell 0 2 width 0.9\n");
+  for (const char* room : {"room-hall.room", "room-vault.room", "room-cell.room"}) {
+    plan.write(room, "4 0 0\n1 0 0 4 0\n1 4 0 4 4\n1 4 4 0 4\n1 0 4 0 0\n");
+  }
+  const std::string log = folder_.write("log.csv", "time_s,sensor,range_m\n0.0,0,1.5\n").string();
+  const auto from = [&](const std::string& start) {
+    return run_echoway({"locate", "--building", plan.path().string(), "--scans", log, "--start", start, "--to", "cell", "--track",
+                        track_});
+  };
+  for (const char* start : {"hall", "hall,1,2,0"}) {
+    const ProcessResult result = from(start);
+    EXPECT_EQ(result.status, 0) << "they are followed all the same";
+    EXPECT_EQ(result.err,
+              "--to cell: no safe way leads from room hall to the destination in room cell: the door between rooms 'hall' and "
+              "'vault' is 0.25 m wide, and a person needs 0.4 m\n");
+  }
+  EXPECT_EQ(from("vault,1,2,0").err, "");
+}
+
+TEST_F(Locate, InABuildingOfOneRoomTheWearerIsThereAlready) {
+  const TemporaryFolder plan;
+  plan.write("building.cfg", "units m\n");
+  plan.write("room-hall.room", "4 0 0\n1 0 0 4 0\n1 4 0 4 4\n1 4 4 0 4\n1 0 4 0 0\n");
+  const std::string log = folder_.write("log.csv", "time_s,sensor,range_m\n0.0,0,1.5\n").string();
+  const ProcessResult result =
+      run_echoway({"locate", "--building", plan.path().string(), "--scans", log, "--to", "hall", "--track", track_});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.err, "");
+}
+
 TEST_F(Locate, RefusesARestartFarOutsideItsRoom) {
   auto log = read_scan_log(prefix_ + ".scans.csv");
   log->restarts.push_back({1.0, "1", Vec2{10.0, 5.0}, std::nullopt});

@@ -974,9 +974,19 @@ TEST(Guide, ATurnIntoAWallWaitsUntilTheWearerStands) {
   EXPECT_THAT(said, Not(Contains(CueKind::turn)));
 }
 
-TEST(Guide, SaysWhenNoWayLeadsThere) {
+TEST(Guide, WhoWantsToBeWhereTheyAreHasArrivedThoughNothingLeadsThere) {
   Building b = test::make_grid(2, 1);
   b.doors.clear();
+  Listener wearer(b);
+  const Goal room{Goal::Kind::room, 1, {}};
+  EXPECT_FALSE(wearer.guide.set_destination(room, {}, 0));
+  ASSERT_TRUE(wearer.guide.set_destination(room, {}, 1));
+  EXPECT_THAT(kinds(wearer.stand(5.0, 1, {2, 2}, 0.0)), Contains(CueKind::arrived));
+}
+
+TEST(Guide, SaysWhenNoWayLeadsThere) {
+  Building b = test::make_grid(3, 1);
+  b.doors.erase(b.doors.begin());
   Listener wearer(b);
   ASSERT_TRUE(wearer.guide.set_destination({Goal::Kind::spot, 0, {1, {2, 2}}}));
   EXPECT_THAT(kinds(wearer.stand(5.0, 0, {2, 2}, 0.0)), Contains(CueKind::no_way));

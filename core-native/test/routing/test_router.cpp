@@ -323,10 +323,83 @@ TEST(Router, NamesTheRoomThatNothingLeadsInto) {
   Building b = make_grid(2, 1);
   b.rooms.push_back(make_box("store", 2, 2));
   const Router router(b);
-  const auto none = router.tree_to({Goal::Kind::room, 2, {}});
+  const auto store = router.tree_to({Goal::Kind::room, 2, {}});
+  ASSERT_TRUE(store);
+  const Status none = router.check_goal(*store, 0);
   ASSERT_FALSE(none);
-  EXPECT_THAT(none.error().message, HasSubstr("room store"));
+  EXPECT_THAT(none.error().message, HasSubstr("nothing leads into room store: no door"));
   EXPECT_FALSE(router.tree_to({Goal::Kind::room, 7, {}}));
+}
+
+TEST(Router, WhoIsInARoomThatNothingLeadsIntoHasArrived) {
+  Building b = make_grid(2, 1);
+  b.rooms.push_back(make_box("store", 2, 2));
+  const Router router(b);
+  const auto store = router.tree_to({Goal::Kind::room, 2, {}});
+  ASSERT_TRUE(store);
+  EXPECT_TRUE(router.check_goal(*store, 2));
+  const auto route = router.find_route({2, {0.5, 1.5}}, {Goal::Kind::room, 2, {}});
+  ASSERT_TRUE(route);
+  EXPECT_EQ(route->length_m, 0.0);
+  EXPECT_FALSE(router.find_route({0, {2, 2}}, {Goal::Kind::room, 2, {}}));
+}
+
+TEST(Router, ABuildingOfOneRoomIsWhereItsWearerIs) {
+  Building b;
+  b.rooms.push_back(make_box("hall", 6, 4));
+  const Router router(b);
+  const auto hall = router.tree_to({Goal::Kind::room, 0, {}});
+  ASSERT_TRUE(hall);
+  EXPECT_TRUE(router.check_goal(*hall));
+}
+
+TEST(Router, LeadsThroughNoDoorThatNobodyPasses) {
+  // A slit of 0.25 m would be the short way; the long one leads through the room above.
+  Building b;
+  for (const char* id : {"1", "2"}) b.rooms.push_back(make_box(id, 4, 4));
+  b.rooms.push_back(make_box("above", 8, 4));
+  b.unit = LengthUnit::metres;
+  add_door(b, 0, {4, 1}, 1, {0, 1}, 0.25);
+  add_door(b, 0, {2, 4}, 2, {2, 0});
+  add_door(b, 1, {2, 4}, 2, {6, 0});
+  const Router round(b);
+  const auto route = round.find_route({0, {3, 1}}, spot(1, {1, 1}));
+  ASSERT_TRUE(route);
+  for (const Waypoint& w : route->waypoints) EXPECT_FALSE(w.kind == WaypointKind::door && w.index == 0);
+
+  // With the door above locked as well, nothing is left but the slit.
+  b.doors.pop_back();
+  const Router closed(b);
+  const auto tree = closed.tree_to({Goal::Kind::room, 1, {}});
+  ASSERT_TRUE(tree);
+  const Status goal = closed.check_goal(*tree, 0);
+  ASSERT_FALSE(goal);
+  EXPECT_THAT(goal.error().message, HasSubstr("nothing leads into room 2: the door between rooms '1' and '2' is 0.25 m wide"));
+  EXPECT_FALSE(closed.find_route({0, {3, 1}}, spot(1, {1, 1})));
+}
+
+TEST(Router, SaysWhatIsBetweenRoomsThatNoWayJoins) {
+  Building b = make_grid(4, 1);
+  b.unit = LengthUnit::metres;
+  b.doors[1].width = 0.3;
+  const Goal far{Goal::Kind::room, 3, {}};
+  const auto why = [&](std::optional<Vec2> at) {
+    const Router router(b);
+    const auto tree = router.tree_to(far);
+    const Status way = router.check_way(0, at, *tree);
+    return way ? std::string() : way.error().message;
+  };
+  for (const std::optional<Vec2> at : {std::optional<Vec2>(), std::optional<Vec2>({1, 1})}) {
+    EXPECT_THAT(why(at), HasSubstr("from room 0 to the destination in room 3: the door between rooms '1' and '2' is 0.3 m wide"));
+  }
+  b.doors[1].width = 0.9;
+  EXPECT_EQ(why(Vec2{1, 1}), "");
+  // Shelves across the room leave a gap of 0.3 m. In which half somebody stands who says no more than the room is not known.
+  b.rooms[0].reflectors = {{{3, 0}, {3, 2.4}}, {{3, 2.7}, {3, 5}}};
+  EXPECT_THAT(why(Vec2{1, 1}), HasSubstr("what is free on the way is narrower than 0.5 m"));
+  EXPECT_EQ(why(std::nullopt), "");
+  b.doors.erase(b.doors.begin() + 1);
+  EXPECT_THAT(why(Vec2{4, 2}), HasSubstr("no doors, stairs or elevators join them"));
 }
 
 TEST(Router, ATriangleOfWaysNeverBreaksTheTriangleInequality) {

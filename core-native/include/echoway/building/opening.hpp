@@ -10,6 +10,10 @@ namespace echoway {
 /// A door farther than this from every wall of its room opens none of them, metres (3 ft).
 inline constexpr double kDoorReach = feet(3.0);
 
+/// Nobody passes a door narrower than this, metres (1.3 ft): `check` warns of it, and no way leads through it.
+inline constexpr double kNarrowestDoor = feet(1.3);
+[[nodiscard]] constexpr bool is_passable(const Door& door) noexcept { return door.width >= kNarrowestDoor; }
+
 /// The stretch of a wall that a door opens, seen from one of the two rooms that the door joins.
 struct DoorOpening {
   std::size_t door = 0;        ///< Index into Building::doors.

@@ -33,10 +33,12 @@ class Guide {
   ~Guide();
 
   // The wearer's wishes. All answer by a cue too.
-  Status set_destination(const Goal& goal, RoutePreferences preferences = {});
+  /// `here`: the room in which the wearer is or said that they are. A destination that nobody is led to from outside its
+  /// room is refused to who is not in there (see Router::check_goal).
+  Status set_destination(const Goal& goal, RoutePreferences preferences = {}, RoomIndex here = kNoRoom);
   /// By name: a place, an exit, a room (see Router::find_goal).
-  Status set_destination(std::string_view name, RoutePreferences preferences = {});
-  Status way_out(RoutePreferences preferences = {});
+  Status set_destination(std::string_view name, RoutePreferences preferences = {}, RoomIndex here = kNoRoom);
+  Status way_out(RoutePreferences preferences = {}, RoomIndex here = kNoRoom);
   /// Back the way the wearer came, to where the guide first knew them.
   Status back_track();
   void clear_destination();
@@ -64,6 +66,9 @@ class Guide {
   [[nodiscard]] bool take_doubt();
 
   [[nodiscard]] bool has_destination() const;
+  /// Whether a way leads to the destination from a room, and from `at` in it where that is known (see Router::check_way);
+  /// success without a destination.
+  [[nodiscard]] Status check_way(RoomIndex room, std::optional<Vec2> at) const;
   /// Distance of the nearest thing in the way that no plan knows, metres from the chest; negative without one.
   [[nodiscard]] double obstacle_ahead_m() const;
   /// The way from where the wearer was last; empty without a destination.

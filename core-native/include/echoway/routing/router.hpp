@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -48,6 +49,14 @@ class Router {
   /// The costs to `goal` from everywhere. Fails when the goal does not exist or the building has none of its kind.
   [[nodiscard]] Result<RouteTree> tree_to(const Goal& goal, RoutePreferences preferences = {}) const;
 
+  /// Whether anybody can be led to the goal of `tree`: from another room, or from within for who stands in `here` (kNoRoom:
+  /// nobody knows) or in a building of one room. Fails, naming the room and the doors that close it, when nobody can.
+  [[nodiscard]] Status check_goal(const RouteTree& tree, RoomIndex here = kNoRoom) const;
+
+  /// Whether a way leads along `tree` from `at` in `room`, or from anywhere in it when that is not known. Fails, naming the
+  /// rooms and what is between them, when none does. REQUIRES: the building has the room.
+  [[nodiscard]] Status check_way(RoomIndex room, std::optional<Vec2> at, const RouteTree& tree) const;
+
   /// The way from `from` along `tree` into `route`, whose buffers are reused. Fails, leaving `route` empty, when no safe
   /// way leads there. A start inside a wall is taken for the free point beside it.
   Status route_from(const Spot& from, const RouteTree& tree, Route& route, const BoundFor& bound_for = {}) const;
@@ -87,6 +96,9 @@ class Router {
   [[nodiscard]] double link_cost(const LevelLink& link) const noexcept;
   [[nodiscard]] std::vector<RouteTree::Target> targets_of(const Goal& goal) const;
   [[nodiscard]] Spot stand(const Spot& spot) const;
+  [[nodiscard]] bool leads_out(std::int32_t node) const;
+  [[nodiscard]] bool is_joined(RoomIndex room) const;
+  [[nodiscard]] bool may_lead(RoomIndex room, const RouteTree& tree) const;
   void seed_tree(RouteTree& tree) const;
   void grow_tree(RouteTree& tree) const;
   [[nodiscard]] Connection connect(const Spot& start, const RouteTree& tree, const BoundFor& bound_for) const;
