@@ -14,6 +14,7 @@ import kotlinx.coroutines.flow.StateFlow
 import kotlinx.coroutines.flow.asStateFlow
 import kotlinx.coroutines.flow.first
 import kotlinx.coroutines.suspendCancellableCoroutine
+import kotlinx.coroutines.withTimeoutOrNull
 import org.echoway.core.Language
 
 /**
@@ -37,7 +38,9 @@ class TtsVoice(context: Context, private val focus: AudioFocus, private val loca
         if (status.first { it != VoiceStatus.STARTING } == VoiceStatus.NO_ENGINE) return Outcome.REFUSED
         if (!focus.request(onLoss = { current?.end(Outcome.CUT_OFF) })) return Outcome.REFUSED
         try {
-            return suspendCancellableCoroutine { continuation -> start(text, continuation) }
+            // An engine that dies half way through calls back no more; all that is still to be said would wait for it.
+            val patience = PATIENCE_MS + PATIENCE_MS_PER_CHARACTER * text.length
+            return withTimeoutOrNull(patience) { suspendCancellableCoroutine { start(text, it) } } ?: Outcome.REFUSED
         } finally {
             current = null
             focus.abandon()
@@ -111,6 +114,10 @@ class TtsVoice(context: Context, private val focus: AudioFocus, private val loca
     }
 
     companion object {
+        /** Until an engine begins to speak, and how slow the slowest speaks. */
+        private const val PATIENCE_MS = 10_000L
+        private const val PATIENCE_MS_PER_CHARACTER = 300L
+
         /** Guidance: routed and ducked by the system as a navigation prompt. */
         val NAVIGATION: AudioAttributes = AudioAttributes.Builder()
             .setUsage(AudioAttributes.USAGE_ASSISTANCE_NAVIGATION_GUIDANCE)

@@ -3,9 +3,11 @@ package org.echoway.app.voice
 import android.content.Context
 import android.media.AudioManager
 import android.speech.tts.TextToSpeech
+import android.speech.tts.UtteranceProgressListener
 import androidx.test.core.app.ApplicationProvider
 import androidx.test.ext.junit.runners.AndroidJUnit4
 import java.util.Locale
+import java.util.concurrent.TimeUnit
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.CoroutineStart
 import kotlinx.coroutines.Deferred
@@ -78,6 +80,27 @@ class TtsVoiceTest {
         assertTrue(engine().isStopped)
     }
 
+    @Test fun anEngineThatDiesHalfWayThroughHoldsUpNoOtherLine() {
+        val voice = voice()
+        ShadowTextToSpeech.getLastTextToSpeechInstance().setOnUtteranceProgressListener(Unheard)
+        val line = saying(voice, "Turn left.")
+        ShadowLooper.idleMainLooper(5, TimeUnit.SECONDS)
+        assertFalse("it may yet speak", line.isCompleted)
+        ShadowLooper.idleMainLooper(30, TimeUnit.SECONDS)
+        assertEquals(Outcome.REFUSED, done(line))
+        assertTrue(engine().isStopped)
+    }
+
+    /** Takes the engine's word, and does not pass it on. */
+    private object Unheard : UtteranceProgressListener() {
+        override fun onStart(id: String) = Unit
+
+        override fun onDone(id: String) = Unit
+
+        @Deprecated("Replaced by onError(String, Int)")
+        override fun onError(id: String) = Unit
+    }
+
     @Test fun cancellingSilencesIt() {
         val line = saying(voice(), "Door left, six feet.")
         line.cancel()
@@ -120,7 +143,7 @@ class TtsVoiceTest {
         assertEquals(VoiceStatus.NO_ENGINE, speech.status.value)
         var tones = 0
         val line = saying(VoiceWithTones(speech) { tones++ }, "Belt disconnected.")
-        ShadowLooper.idleMainLooper(1, java.util.concurrent.TimeUnit.SECONDS)
+        ShadowLooper.idleMainLooper(1, TimeUnit.SECONDS)
         assertEquals(Outcome.SPOKEN, line.getCompleted())
         assertEquals(1, tones)
         assertFalse(line.isCancelled)
