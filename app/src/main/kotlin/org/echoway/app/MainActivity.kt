@@ -55,9 +55,12 @@ class MainActivity : ComponentActivity() {
         onUsbAttached(intent)
     }
 
-    /** Plugging the belt in starts guidance; Android has then granted the use of the device. */
+    /**
+     * Plugging the belt in starts guidance; Android has then granted the use of the device. Guidance that waits for a belt
+     * which fell out goes on by itself: begun anew, it would take the wearer to be back at the entrance.
+     */
     private fun onUsbAttached(intent: Intent) {
-        if (intent.action != UsbManager.ACTION_USB_DEVICE_ATTACHED) return
+        if (intent.action != UsbManager.ACTION_USB_DEVICE_ATTACHED || container.navigator.isLive) return
         lifecycleScope.launch {
             container.settings.update { it.copy(source = SourceKind.USB) }
             start()

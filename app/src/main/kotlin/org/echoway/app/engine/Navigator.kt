@@ -52,6 +52,10 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
     /** Way, breadcrumbs, possible places and explained echoes, four times a second while anybody looks. */
     val picture: StateFlow<Picture> = drawn.asStateFlow()
 
+    /** Whether it runs with a belt on the line, heard or awaited, rather than with a recorded walk. */
+    @Volatile var isLive = false
+        private set
+
     @Volatile private var style = SpeechStyle()
 
     override fun ask(wish: Wish) {
@@ -71,6 +75,7 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
         witness: Witness? = null,
     ) = withContext(thread) {
         forgetWishes()
+        isLive = !source.bringsMotion
         try {
             Run(building, start, source.setup(), witness).use { it.run(source, motion) }
         } catch (e: CoreException) {
@@ -79,6 +84,7 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
             // A recording that cannot be read. To end without a word would leave the wearer with silence.
             published.value = NavigationState.Failed(e.message.orEmpty())
         } finally {
+            isLive = false
             if (published.value is NavigationState.Running) published.value = NavigationState.Idle
             drawn.value = Picture()
         }
