@@ -1,6 +1,7 @@
 package org.echoway.app.service
 
 import android.app.ForegroundServiceStartNotAllowedException
+import android.app.Notification
 import android.content.Context
 import android.content.Intent
 import android.content.pm.ServiceInfo
@@ -30,6 +31,7 @@ import org.echoway.app.recording.RecordingSwitch
 import org.echoway.app.settings.Settings
 import org.echoway.app.settings.SourceKind
 import org.echoway.app.settings.inLanguage
+import org.echoway.core.Start
 
 /**
  * Keeps navigation alive with the screen off. Thin: it starts and stops the parts, shows the notification and holds the
@@ -66,16 +68,19 @@ class NavigationService : LifecycleService() {
         }
         notification = NavigationNotification(this, settings.language)
         if (!enterForeground(settings.source)) {
+            // Silence would go on meaning that all is well.
+            container.guide.tell(Message.Stopped)
             stopSelf()
             return
         }
         container.settings.update { it.copy(navigating = true) }
         // Two at once would share the core and the buttons.
         navigation?.cancelAndJoin()
-        navigation = lifecycleScope.launch { navigate(settings) }
+        navigation = lifecycleScope.launch { navigate(settings, restored) }
     }
 
-    private suspend fun navigate(settings: Settings) = coroutineScope {
+    /** [restored]: guidance was under way, and who wears a belt may have left the entrance since. */
+    private suspend fun navigate(settings: Settings, restored: Boolean) = coroutineScope {
         val states = container.navigator.state
         launch { container.guide.run(states, container.navigator.events, container.settings.settings) }
         launch { container.lookout.run(states, container.settings.settings) }
@@ -84,10 +89,14 @@ class NavigationService : LifecycleService() {
         launch { states.collect { wakeLock.update(it is NavigationState.Running && it.hearsBelt) } }
         val building = settings.building?.let { container.buildings.find(it) }
         if (building == null) {
-            notification.show(inLanguage(settings.language).getString(R.string.state_no_building))
+            val problem = inLanguage(settings.language).getString(R.string.state_no_building)
+            notification.show(problem)
+            container.guide.tell(Message.CannotStart(problem))
             return@coroutineScope
         }
-        val start = startAt(building.plan, settings.entrance)
+        // A walk that is replayed begins anew, where it began.
+        val walkedOn = restored && settings.source == SourceKind.USB
+        val start = if (walkedOn) Start() else startAt(building.plan, settings.entrance)
         val recording = RecordingSwitch(container.recordings, building)
         // A walk that is replayed is not recorded again.
         if (settings.source != SourceKind.RECORDING) launch { recording.follow(container.settings.settings.map { it.record }) }
@@ -105,21 +114,27 @@ class NavigationService : LifecycleService() {
     }
 
     /** False when the system does not allow it now; a tap on the app then starts it. */
-    private fun enterForeground(source: SourceKind): Boolean = try {
-        val text = notification.text(container.navigator.state.value)
-        ServiceCompat.startForeground(this, NavigationNotification.ID, notification.build(text), type(source))
+    private fun enterForeground(source: SourceKind): Boolean {
+        val shown = notification.build(notification.text(container.navigator.state.value))
+        return types(source).any { enterForeground(shown, it) }
+    }
+
+    private fun enterForeground(shown: Notification, type: Int): Boolean = try {
+        ServiceCompat.startForeground(this, NavigationNotification.ID, shown, type)
         true
     } catch (_: SecurityException) {
-        false // a connected device without a granted USB permission
+        false // a connected device that is not plugged in yet, or not granted
     } catch (e: IllegalStateException) {
         if (Build.VERSION.SDK_INT < Build.VERSION_CODES.S || e !is ForegroundServiceStartNotAllowedException) throw e
         false
     }
 
-    private fun type(source: SourceKind) = when {
-        Build.VERSION.SDK_INT < Build.VERSION_CODES.UPSIDE_DOWN_CAKE || source == SourceKind.USB ->
-            ServiceInfo.FOREGROUND_SERVICE_TYPE_CONNECTED_DEVICE
-        else -> ServiceInfo.FOREGROUND_SERVICE_TYPE_SPECIAL_USE
+    /** The best first: since Android 14 there is no connected device before the belt is plugged in, and guidance waits for it. */
+    private fun types(source: SourceKind) = when {
+        Build.VERSION.SDK_INT < Build.VERSION_CODES.UPSIDE_DOWN_CAKE -> listOf(ServiceInfo.FOREGROUND_SERVICE_TYPE_CONNECTED_DEVICE)
+        source == SourceKind.USB ->
+            listOf(ServiceInfo.FOREGROUND_SERVICE_TYPE_CONNECTED_DEVICE, ServiceInfo.FOREGROUND_SERVICE_TYPE_SPECIAL_USE)
+        else -> listOf(ServiceInfo.FOREGROUND_SERVICE_TYPE_SPECIAL_USE)
     }
 
     private fun stopNavigation() {

@@ -2,6 +2,8 @@ package org.echoway.app.service
 
 import android.app.Notification
 import android.app.NotificationManager
+import android.app.Service
+import android.content.pm.ServiceInfo
 import android.view.View
 import android.widget.FrameLayout
 import androidx.test.core.app.ApplicationProvider
@@ -14,6 +16,7 @@ import org.echoway.app.engine.Line
 import org.echoway.app.engine.NavigationState
 import org.echoway.app.engine.Wish
 import org.echoway.app.guide.Ask
+import org.echoway.app.settings.SourceKind
 import org.echoway.app.testing.ScriptedBelt
 import org.echoway.app.touch.Touch
 import org.echoway.core.Destination
@@ -28,8 +31,11 @@ import org.robolectric.Robolectric
 import org.robolectric.Shadows.shadowOf
 import org.robolectric.android.controller.ServiceController
 import org.robolectric.annotation.Config
+import org.robolectric.annotation.Implementation
+import org.robolectric.annotation.Implements
 import org.robolectric.shadows.ShadowLooper
 import org.robolectric.shadows.ShadowPowerManager
+import org.robolectric.shadows.ShadowService
 
 @RunWith(AndroidJUnit4::class)
 @Config(application = TestApp::class)
@@ -180,6 +186,57 @@ class NavigationServiceTest {
         container.settings.settings.value = container.settings.settings.value.copy(navigating = true)
         command(action = null)
         awaitRunning()
+    }
+
+    @Test fun whoeverWalkedOnBeforeTheSystemKilledItIsNotTakenToBeAtTheEntrance() {
+        fun sureOfTheRoomAtTheFirstEcho(action: String?): Double {
+            container.settings.settings.value =
+                container.settings.settings.value.copy(source = SourceKind.USB, entrance = "Main entrance", navigating = true)
+            container.belt = ScriptedBelt()
+            command(action)
+            awaitRunning()
+            container.belt.send(BeltEvent.Attached)
+            echoes(1.0 / 16)
+            settle()
+            return awaitRunning().estimate.roomProbability
+        }
+        assertTrue(sureOfTheRoomAtTheFirstEcho(NavigationService.ACTION_START) > 0.9)
+        command(NavigationService.ACTION_STOP)
+        settle(1_000)
+        assertTrue(sureOfTheRoomAtTheFirstEcho(action = null) < 0.9)
+    }
+
+    @Test fun withoutABuildingItSaysWhatIsMissing() {
+        container.settings.settings.value = container.settings.settings.value.copy(building = null)
+        command(NavigationService.ACTION_START)
+        settle(3_000)
+        assertEquals("Cannot start. Choose a building in the app.", container.voice.words.last())
+    }
+
+    @Test fun guidanceThatTheSystemDoesNotAllowIsHeardToBeOff() {
+        val service = Robolectric.buildService(NavigationService::class.java).create().also { services += it }
+        shadowOf(service.get()).setThrowInStartForeground(SecurityException("no connected device"))
+        command(NavigationService.ACTION_START)
+        settle(3_000)
+        assertTrue(shadowOf(service.get()).isStoppedBySelf)
+        assertEquals("Guidance is off.", container.voice.words.last())
+    }
+
+    /** Since Android 14 no device counts as connected before it is granted. */
+    @Config(shadows = [NoConnectedDevice::class])
+    @Test fun waitsForABeltThatIsNotPluggedInYet() {
+        container.settings.settings.value = container.settings.settings.value.copy(source = SourceKind.USB)
+        command(NavigationService.ACTION_START)
+        awaitRunning()
+    }
+
+    @Implements(Service::class)
+    class NoConnectedDevice : ShadowService() {
+        @Implementation
+        override fun startForeground(id: Int, notification: Notification, foregroundServiceType: Int) {
+            if (foregroundServiceType == ServiceInfo.FOREGROUND_SERVICE_TYPE_CONNECTED_DEVICE) throw SecurityException("no connected device")
+            super.startForeground(id, notification, foregroundServiceType)
+        }
     }
 
     @Test fun doesNotComeBackWhenGuidanceWasOff() {
