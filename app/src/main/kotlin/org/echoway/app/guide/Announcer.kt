@@ -55,7 +55,7 @@ class Announcer {
 
     private fun refusal(wish: Wish): Message? = when (wish) {
         is Wish.LeadTo -> Message.CannotLead(
-            if (wish.destination.kind == DestinationKind.NEAREST_EXIT) NoWay.NO_EXIT_KNOWN else NoWay.NOT_REACHABLE,
+            if (wish.destination.kind == DestinationKind.NEAREST_EXIT && plan?.exits.isNullOrEmpty()) NoWay.NO_EXIT_KNOWN else NoWay.NOT_REACHABLE,
         )
         Wish.BackTrack -> Message.CannotLead(NoWay.NOTHING_WALKED_YET)
         Wish.Repeat -> Message.NothingToRepeat

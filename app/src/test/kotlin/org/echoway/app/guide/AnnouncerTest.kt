@@ -85,6 +85,8 @@ class AnnouncerTest {
     @Test fun whatCannotBeGrantedIsSaid() {
         val refused = { wish: Wish -> announcer.onEvent(GuidanceEvent.Refused(wish, "for a log")) }
         assertEquals(listOf(Message.CannotLead(NoWay.NO_EXIT_KNOWN)), refused(Wish.LeadTo(Destination.WAY_OUT)))
+        startInOffice()
+        assertEquals("an exit is known, but none is reached", listOf(Message.CannotLead(NoWay.NOT_REACHABLE)), refused(Wish.LeadTo(Destination.WAY_OUT)))
         assertEquals(listOf(Message.CannotLead(NoWay.NOT_REACHABLE)), refused(Wish.LeadTo(Destination(DestinationKind.ROOM, 1))))
         assertEquals(listOf(Message.CannotLead(NoWay.NOTHING_WALKED_YET)), refused(Wish.BackTrack))
         assertEquals(listOf(Message.NothingToRepeat), refused(Wish.Repeat))
