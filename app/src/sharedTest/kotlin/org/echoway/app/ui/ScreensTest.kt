@@ -1,5 +1,8 @@
 package org.echoway.app.ui
 
+import androidx.compose.ui.semantics.SemanticsProperties
+import androidx.compose.ui.test.SemanticsMatcher
+import androidx.compose.ui.test.assert
 import androidx.compose.ui.test.assertHeightIsAtLeast
 import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.assertIsEnabled
@@ -101,6 +104,11 @@ class ScreensTest {
         rule.onNodeWithText("Recorded walk").assertIsNotEnabled()
         rule.onNodeWithText("Done").assertIsEnabled().performClick()
         assertEquals(listOf("entrance Main", "source SIMULATED_WALK", "done"), done)
+    }
+
+    @Test fun aRecordingThatCannotBePlayedIsHeardOf() {
+        setup(ready(building = true).copy(recordingProblem = "the log holds no firing"))
+        rule.onNodeWithText("the log holds no firing", substring = true).assert(SemanticsMatcher.keyIsDefined(SemanticsProperties.LiveRegion))
     }
 
     @Test fun withoutABuildingSetupIsNotDone() {

@@ -16,6 +16,9 @@ import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.res.stringResource
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.echoway.app.R
 import org.echoway.app.settings.SourceKind
@@ -70,7 +73,9 @@ private fun Ready(state: SetupUiState.Ready, actions: SetupActions) {
             }
             Action(stringResource(R.string.pick_recording), onClick = actions.onPickRecording)
             state.recordingProblem?.let {
-                Text(stringResource(R.string.recording_unusable, it), color = MaterialTheme.colorScheme.error)
+                // It appears below all that is chosen: who picked the recording by ear has to hear of it.
+                val heard = Modifier.semantics { liveRegion = LiveRegionMode.Assertive }
+                Text(stringResource(R.string.recording_unusable, it), heard, color = MaterialTheme.colorScheme.error)
             }
         }
         Button(actions.onDone, Modifier.fillMaxWidth().padding(top = 12.dp).heightIn(min = 72.dp), enabled = state.complete) {
