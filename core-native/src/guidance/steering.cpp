@@ -78,7 +78,9 @@ bool Steering::point_to_door(const View& view, Announcer& voice) {
 }
 
 void Steering::hold_after(const Cue& cue, const View& view) {
-  if (cue.kind != CueKind::bear) stretch_.forget();
+  const bool only_stops = cue.kind == CueKind::stop && cue.tail.kind != CueKind::turn;
+  if (only_stops) stretch_.stop(view.now);
+  else if (cue.kind != CueKind::bear) stretch_.forget();
   if (cue.kind != CueKind::stop || cue.tail.present) aim_->keep(view);
   const double turn = cue.tail.present ? cue.tail.direction : cue.direction;
   const double turning = cue.kind == CueKind::turn || cue.tail.present ? 0.6 + std::abs(turn) / degrees(90.0) : 0.6;

@@ -19,7 +19,7 @@ class Steering {
   /// REQUIRES: all outlive this.
   Steering(const Router& router, const GuideConfig& config, Way& way, Aim& aim, Reaction& reaction, const HeardSpace& heard)
       : router_(&router), config_(&config), way_(&way), aim_(&aim), reaction_(&reaction), heard_(&heard),
-        frame_(router, config, heard), outlook_(router, config, way.hindrances(), reaction) {}
+        frame_(router, config, heard), outlook_(router, config, way.hindrances(), reaction), stretch_(router.building()) {}
 
   void forget() noexcept;
   /// Things that the wearer has met on the stretch that they were told. True while it looks as if they have just met one:

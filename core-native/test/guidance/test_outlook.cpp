@@ -99,15 +99,54 @@ TEST(Standing, WhoStandsIsWhereTheyWereOnTheWhole) {
   EXPECT_NEAR(standing.settle(at({3.2, 1.0}, 0.0, 0.1), true).pose.position.x, 3.2, 1e-9) << "they walk";
 }
 
-TEST(Stretch, WhoStopsWellShortOfItIsFoundToHaveMetSomethingAfterAMoment) {
-  Stretch stretch;
-  Estimate e = at({1.0, 1.0}, 0.0);
-  stretch.tell({.estimate = &e, .now = 0.0}, 3.0);
-  EXPECT_EQ(stretch.watch({.estimate = &e, .now = 1.0, .walking = true}, 0.5), Stretch::Outcome::open);
-  e.pose.position.x = 1.6;
-  EXPECT_EQ(stretch.watch({.estimate = &e, .now = 2.0, .still_since = 1.8}, 0.5), Stretch::Outcome::short_of);
-  EXPECT_EQ(stretch.watch({.estimate = &e, .now = 3.5, .still_since = 1.8}, 0.5), Stretch::Outcome::met);
-  EXPECT_EQ(stretch.watch({.estimate = &e, .now = 3.7, .still_since = 1.8}, 0.5), Stretch::Outcome::open) << "told once";
+/// Room 0 and, from x = 5 on in the same frame of the level, room 1.
+class StretchTest : public ::testing::Test {
+ protected:
+  /// Walked at one metre a second from (4, 2.5) to `x`, of three metres that were told.
+  void walk_to(double x) {
+    e = at({4.0, 2.5}, 0.0);
+    stretch.tell({.estimate = &e, .now = 0.0}, 3.0);
+    e.pose.position.x = x;
+    now = x - 4.0;
+    ASSERT_EQ(stretch.watch({.estimate = &e, .now = now, .walking = true}, 0.0), Stretch::Outcome::open);
+  }
+  [[nodiscard]] Stretch::Outcome stand_for(double seconds) {
+    return stretch.watch({.estimate = &e, .now = now + seconds, .still_since = now}, 0.0);
+  }
+
+  Building building = test::make_grid(2, 1);
+  Stretch stretch{building};
+  Estimate e;
+  double now = 0.0;
+};
+
+TEST_F(StretchTest, WhoStopsWellShortOfItIsFoundToHaveMetSomethingAfterAMoment) {
+  walk_to(4.6);
+  EXPECT_EQ(stand_for(0.2), Stretch::Outcome::short_of);
+  EXPECT_EQ(stand_for(1.7), Stretch::Outcome::met);
+  EXPECT_EQ(stand_for(1.9), Stretch::Outcome::open) << "told once";
+}
+
+TEST_F(StretchTest, WhoStopsInADoorwayHasMetItsFrameInWhicheverRoomTheyAreTakenToBe) {
+  walk_to(4.9);
+  e.room = 1;
+  e.pose.position = {0.1, 2.5};
+  EXPECT_EQ(stand_for(0.2), Stretch::Outcome::short_of);
+  e.room = 0;
+  e.pose.position = {4.9, 2.5};
+  EXPECT_EQ(stand_for(1.7), Stretch::Outcome::met);
+}
+
+TEST_F(StretchTest, WhoStopsSinceTheyAreToldToHasMetNothing) {
+  walk_to(4.6);
+  stretch.stop(now - 1.2);
+  EXPECT_EQ(stand_for(1.7), Stretch::Outcome::open);
+}
+
+TEST_F(StretchTest, WhoStandsBeforeTheyCanHaveObeyedHasMetSomething) {
+  walk_to(4.6);
+  stretch.stop(now - 0.3);
+  EXPECT_EQ(stand_for(1.7), Stretch::Outcome::met);
 }
 
 }  // namespace
