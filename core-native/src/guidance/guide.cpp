@@ -183,7 +183,7 @@ void Guide::Impl::lead() {
     voice.take_way_question();
     follower.tell_again();
   }
-  if (!certainty.jumped(now)) follower.update(estimate, vague, turning.turning(), voice);
+  if (!certainty.jumped(now)) follower.update(estimate, vague, turning.turning() || search.sets_off(now), voice);
   const bool answering = answers.is_answering() || answers.is_where_asked();
   answers.tell(estimate, follower.active() ? &follower.route() : nullptr, voice);
   if (!answering) rooms.tell(now, voice);
@@ -226,7 +226,7 @@ bool Guide::Impl::be_found() {
   if (!voice.would_speak(plain, now, asked)) return false;
   Cue cue = plain;
   if (follower.active()) {
-    if (!turning.turning()) cue.tail = follower.next_step(estimate);
+    if (!turning.turning() && !search.sets_off(now)) cue.tail = follower.next_step(estimate);
   } else {
     const Cue door = guidance::nearest_door(*router, estimate);
     if (door.distance_m >= 0.0) cue.tail = {CueKind::door, true, door.direction, -1.0};

@@ -19,7 +19,7 @@ void Search::begin() noexcept {
   on_ = true;
   told_ = false;
   since_ = -1.0;
-  next_request_ = -1e300;
+  next_request_ = off_by_ = -1e300;
 }
 
 bool Search::update(const Estimate& e, std::span<const Hypothesis> places, std::optional<double> wanted, bool starting,
@@ -37,13 +37,17 @@ bool Search::update(const Estimate& e, std::span<const Hypothesis> places, std::
 }
 
 void Search::note_request(const Cue& cue, double now) noexcept {
-  constexpr double kPace = 0.7;  // m/s
+  constexpr double kPace = 0.7;    // m/s
+  constexpr double kIsSeen = 1.0;  // s from the first step
   if (cue.kind == CueKind::probe_turn) {
     moves_ = 0;
+    off_by_ = -1e300;
     next_request_ = now + config_->probe_gap_s;
     return;
   }
   ++moves_;
+  const double turns = cue.kind == CueKind::turn ? std::abs(cue.direction) / degrees(90.0) : 0.0;
+  off_by_ = now + spoken_seconds(cue, *config_) + config_->reaction_s + turns + kIsSeen;
   step_direction_ = wrap_angle((cue.kind == CueKind::turn ? cue.direction : 0.0) + turning_->turned());
   const double length = std::max({cue.distance_m, cue.tail.distance_m, kStep});
   next_request_ = now + config_->step_gap_s + (length - kStep) / kPace + (cue.kind == CueKind::turn ? kTurnTakes : 0.0);

@@ -31,6 +31,9 @@ class Search {
   /// Whether the next request may be made.
   [[nodiscard]] bool is_due(double now) const noexcept { return told_ && now >= next_request_; }
 
+  /// Whether the wearer has been sent on and may still be about to set off: what is told now is done where they get to.
+  [[nodiscard]] bool sets_off(double now) const noexcept { return now < off_by_; }
+
   /// Whether the wearer was lost up to now, and whether they have been told so.
   [[nodiscard]] bool is_on() const noexcept { return on_; }
   [[nodiscard]] bool was_told() const noexcept { return told_; }
@@ -54,6 +57,7 @@ class Search {
   bool told_ = false;
   double since_ = -1.0;
   double next_request_ = -1e300; ///< Not before.
+  double off_by_ = -1e300;       ///< Who was sent on is seen to walk by then.
   int moves_ = 0;                ///< Since the last request to turn slowly.
   double step_direction_ = 0.0;  ///< Of the last step that was asked for, from where the chest faced at first.
 };

@@ -355,8 +355,8 @@ bool Steering::go_on(const View& view, Announcer& voice) {
 CueTail Steering::as_tail(const View& view) {
   begin_leg();
   way_->told_new();
-  const bool clear = outlook_.clear_ahead(view, make_cue(CueKind::turn), understood(view.off), {});
-  if (std::abs(view.off) <= config_->ahead_rad || !clear) return {};
+  if (view.walking || std::abs(view.off) <= config_->ahead_rad) return {};
+  if (!outlook_.clear_ahead(view, make_cue(CueKind::turn), understood(view.off), {})) return {};
   constexpr double kHold = 3.0;  // s
   pacing_.hold_until = view.now + kHold;
   return {CueKind::turn, true, view.off, -1.0};

@@ -40,7 +40,8 @@ class Steering {
   /// "Go straight", once a leg; again to a wearer who stands on a clear way for long.
   [[nodiscard]] bool go_on(const View& view, Announcer& voice);
 
-  /// Where to turn from here, as the tail of another line; not present when it goes straight on.
+  /// Where to turn from here, as the tail of another line; not present when it goes straight on, and to who walks: they are
+  /// told where they can turn in time.
   [[nodiscard]] CueTail as_tail(const View& view);
 
   /// The last instruction is still being carried out.

@@ -439,6 +439,37 @@ TEST_F(GuideTest, WhoIsFoundWhileTheyTurnIsNotToldWhichWayYet) {
   EXPECT_FALSE(found->tail.present);
 }
 
+TEST_F(GuideTest, WhoIsFoundAsTheyWalkIsNotToldATurnThatTheyWouldMakeTooLate) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  (void)wearer.stand(3.0, 0, {1, 2.5}, 90.0);
+  (void)wearer.stay(12.0, lost(0));
+  Estimate walking = at(0, 0, {1.0, 1.0}, 90.0);
+  walking.speed_mps = 0.6;
+  std::vector<Cue> cues;
+  while (cues.empty() && wearer.now < 25.0) {
+    walking.pose.position.y += 0.6 * kSlot;
+    cues = wearer.stay(kSlot, walking);
+  }
+  ASSERT_THAT(kinds(cues), ElementsAre(CueKind::found));
+  EXPECT_FALSE(cues.front().tail.present);
+}
+
+TEST_F(GuideTest, WhoIsFoundAsTheySetOffIsLedOnceTheyWalk) {
+  ASSERT_TRUE(guide.set_destination({Goal::Kind::spot, 0, {0, {2.5, 4.3}}}));
+  (void)wearer.stand(3.0, 0, {2.5, 1.0}, 0.0);
+  const auto ahead = [](double bearing) { return std::abs(bearing) < degrees(70.0) ? 3.0 : 0.6; };
+  Estimate guess = lost(0);
+  guess.pose = {{2.5, 1.0}, 0.0};
+  std::vector<Cue> asked;
+  while (wearer.now < 60.0 && std::none_of(asked.begin(), asked.end(), [](const Cue& c) { return c.kind == CueKind::go_straight; })) {
+    asked = wearer.hear(0.9, guess, ahead);
+  }
+  ASSERT_THAT(kinds(asked), Contains(CueKind::go_straight));
+  const auto cues = wearer.hear(2.5, at(0, 0, {2.5, 1.0}, 0.0), ahead);  // found before the first step
+  ASSERT_THAT(kinds(cues), ElementsAre(CueKind::found));
+  EXPECT_FALSE(cues.front().tail.present) << "it would be made at the end of the walk";
+}
+
 TEST_F(GuideTest, WhoMissedThatTheyArrivedMayAskThoughTheyWereLostMeanwhile) {
   ASSERT_TRUE(guide.set_destination("Lectern"));
   EXPECT_THAT(kinds(wearer.stand(8.0, 1, {4, 3.6}, 0.0)), Contains(CueKind::arrived));
