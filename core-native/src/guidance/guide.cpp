@@ -9,6 +9,7 @@
 #include "guidance/breadcrumbs.hpp"
 #include "guidance/certainty.hpp"
 #include "guidance/climb_watch.hpp"
+#include "guidance/doorstep.hpp"
 #include "guidance/follower.hpp"
 #include "guidance/health_watch.hpp"
 #include "guidance/heard_space.hpp"
@@ -26,8 +27,8 @@ using guidance::Certainty;
 
 struct Guide::Impl {
   Impl(const Router& r, const GuideConfig& c)
-      : router(&r), config(c), voice(config), certainty(r, config), heard(config.belt), follower(r, config, heard),
-        obstacles(r, config), search(r, config, heard, turning), answers(r), passing(r), climbing(r, config) {}
+      : router(&r), config(c), voice(config), certainty(r, config), doorstep(r, config), heard(config.belt),
+        follower(r, config, heard), obstacles(r, config), search(r, config, heard, turning), answers(r), passing(r), climbing(r, config) {}
 
   Status lead_to(const Goal& goal, RoutePreferences preferences, RoomIndex here);
   void restart();
@@ -46,6 +47,7 @@ struct Guide::Impl {
   GuideConfig config;
   guidance::Announcer voice;
   Certainty certainty;
+  guidance::Doorstep doorstep;
   guidance::HeardSpace heard;
   guidance::Follower follower;
   guidance::ObstacleWatch obstacles;
@@ -136,6 +138,7 @@ void Guide::on_estimate(const Estimate& estimate, std::span<const Hypothesis> hy
 
 void Guide::Impl::restart() {
   certainty = Certainty(*router, config);
+  doorstep.clear();
   obstacles.clear();
   heard.clear();
   follower.start_over();
@@ -153,11 +156,12 @@ void Guide::Impl::restart() {
 
 void Guide::Impl::update(const Estimate& newest, std::span<const Hypothesis> hypotheses) {
   const double now = newest.time_s;
-  estimate = newest;
+  estimate = doorstep.settle(newest);
   obstacle_m = -1.0;
   if (voice.is_asked() && follower.is_between_levels()) answer_between_levels();
   if (!voice.is_way_asked() || !follower.active()) voice.answer(now);
-  Estimate judged = newest;
+  Estimate judged = estimate;
+  judged.room_probability = guidance::place_probability(*router, config, newest, hypotheses);
   if (!position_usable()) judged.state = TrackState::lost;
   certainty.update(judged, now < std::max(follower.suspended_until(), climbing.until()));
   if (is_finite(newest.pose)) turning.update(newest.pose.heading, now);

@@ -470,6 +470,27 @@ TEST_F(GuideTest, WhoIsFoundAsTheySetOffIsLedOnceTheyWalk) {
   EXPECT_FALSE(cues.front().tail.present) << "it would be made at the end of the walk";
 }
 
+TEST_F(GuideTest, WhoStandsInADoorwayIsNotLostBetweenItsRooms) {
+  ASSERT_TRUE(guide.set_destination({Goal::Kind::spot, 0, {1, {3, 2.5}}}));
+  (void)wearer.stand(6.0, 0, {4.9, 2.5}, 0.0);
+  Estimate here = at(0, 0, {4.95, 2.5}, 0.0);
+  Estimate beyond = at(0, 1, {0.05, 2.5}, 0.0);
+  std::vector<CueKind> heard;
+  for (int i = 0; i < 20; ++i) {
+    Estimate& e = i % 2 == 0 ? beyond : here;
+    e.room_probability = 0.45;
+    const std::vector<Hypothesis> places = {{e.room, e.pose, 0.1, 0.97}};
+    for (const Cue& cue : wearer.stay(1.0, e, places)) heard.push_back(cue.kind);
+  }
+  EXPECT_THAT(heard, Not(Contains(CueKind::uncertain))) << "the place is known, whichever room it counts to";
+  EXPECT_THAT(heard, Not(Contains(CueKind::entering))) << "nor have they entered and left it again and again";
+}
+
+TEST_F(GuideTest, WhoHasStoodInTheNextRoomForLongIsThere) {
+  (void)wearer.stand(6.0, 0, {4.9, 2.5}, 0.0);
+  EXPECT_THAT(kinds(wearer.stand(8.0, 1, {0.1, 2.5}, 0.0)), Contains(CueKind::entering));
+}
+
 TEST_F(GuideTest, WhoMissedThatTheyArrivedMayAskThoughTheyWereLostMeanwhile) {
   ASSERT_TRUE(guide.set_destination("Lectern"));
   EXPECT_THAT(kinds(wearer.stand(8.0, 1, {4, 3.6}, 0.0)), Contains(CueKind::arrived));
@@ -872,9 +893,12 @@ TEST_F(GuideTest, SurvivesNonsense) {
     guide.on_firing({e.time_s, i % 20 - 2, nan});
   }
   guide.on_belt_health({}, nan);
-  for (const Cue& cue : wearer.fetch()) {
-    EXPECT_TRUE(std::isfinite(cue.direction));
-    EXPECT_TRUE(std::isfinite(cue.distance_m));
+  wearer.now = 30.0;
+  for (const RoomIndex room : {99, 0}) {
+    for (const Cue& cue : wearer.stand(4.0, room, {1, 1}, 0.0)) {
+      EXPECT_TRUE(std::isfinite(cue.direction));
+      EXPECT_TRUE(std::isfinite(cue.distance_m));
+    }
   }
 }
 
