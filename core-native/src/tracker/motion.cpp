@@ -20,7 +20,7 @@ constexpr double kShortestStep = 0.25;      // Seconds between two real steps.
 constexpr double kLongestStep = 2.0;
 constexpr double kDefaultStep = 1.0;
 constexpr std::size_t kFewestIntervals = 2;
-constexpr double kStepWithoutWalking = 0.12;   // Likelihood of a step event while standing, against walking,
+constexpr double kStepWithoutWalking = 0.05;   // Likelihood of a step event while standing, against walking,
 constexpr double kStepOnTheSpot = 0.6;         // and while turning: feet that turn step as well.
 constexpr double kWalkersTurn = degrees(20.0); // rad/s: faster, and a turn is more and more likely one on the spot,
 constexpr double kTurnOnTheSpot = degrees(60.0);   // from here on as surely as a turn can tell.
@@ -122,6 +122,7 @@ Interval HintIntegrator::close(double time_s, double seconds) noexcept {
   interval.seconds = seconds;
   interval.turn_known = time_s - last_rate_time_ < kStaleRate || time_s - last_heading_time_ < kStaleRate;
   interval.turn = turn_;
+  interval.in_step = cadence(time_s) > 0.0;
   turn_ = 0.0;
   return interval;
 }
@@ -156,7 +157,7 @@ Stride::Stride(const Interval& interval, const MotionParameters& m, double pace)
   turn_drift_ = m.turn_drift * root;
   sway_variance_ = m.sway * m.sway * dt;
   scale_variance_ = m.scale_drift * m.scale_drift * dt;
-  const double drift = m.pace_drift * std::max(pace, m.slowest_pace);
+  const double drift = (interval.in_step ? m.pace_drift_in_step : m.pace_drift) * std::max(pace, m.slowest_pace);
   pace_variance_ = drift * drift * dt;
   pace_return_ = std::min(1.0, dt / m.pace_memory);
 }

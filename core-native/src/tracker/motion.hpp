@@ -15,6 +15,7 @@ namespace echoway::tracker {
 struct MotionParameters {
   double start_speed = 0.5, start_speed_sigma = 0.30;     ///< m/s, before anything is known.
   double pace_drift = 0.12;              ///< Of the pace, per root second, while walking,
+  double pace_drift_in_step = 0.06;      ///< and while steps are heard, whose rhythm tells most of it,
   double pace_memory = 5.0;              ///< with a return to the wearer's usual pace in so many seconds.
   double stop_rate = 0.12;               ///< 1/s: walking ends,
   double start_rate = 0.35;              ///< and begins.
@@ -49,6 +50,7 @@ struct Interval {
   double seconds = 0.0;
   bool turn_known = false;
   double turn = 0.0;                     ///< Radians, when known; includes the gyroscope's bias.
+  bool in_step = false;                  ///< Steps are heard, and how fast they follow.
 
   /// The turn with that bias (rad/s) taken out.
   [[nodiscard]] double turn_without(double bias) const noexcept { return turn - bias * seconds; }
