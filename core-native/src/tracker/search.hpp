@@ -46,8 +46,8 @@ class Search {
     std::size_t refined_thoroughly = 2400;   ///< more where none of like places may be missed, ...
     std::size_t refined_facing = 800;    ///< ... fewer when it is known where the wearer faces,
     std::size_t refined_locally = 600;   ///< and of a search that only looks about a place.
-    std::size_t budget = 60000;          ///< Readings looked up in a panorama per slice ...
-    std::size_t second_budget = 45000;   ///< The same while some place is believed in already,
+    std::size_t budget = 48000;          ///< Readings looked up in a panorama per slice ...
+    std::size_t second_budget = 38000;   ///< The same while some place is believed in already,
     std::size_t local_budget = 20000;    ///< and of a search that only looks about it.
     std::size_t look_cost = 8;           ///< ... of which a direction that must first be worked out costs so many,
     std::size_t replay_cost = 8;         ///< a firing that is replayed exactly
