@@ -5,8 +5,8 @@ set -eu
 binary=$1 out=$2
 mkdir -p "$(dirname "$out")"
 "$binary" --head > "$out"
-offices() { "$binary" --first 1200 --walks 24 --seconds 80 "$@" >> "$out"; }
-map() { local name=$1; shift; "$binary" --building "maps/$name" --first 900 --walks 12 --seconds 90 "$@" >> "$out"; }
+offices() { "$binary" --first 1200 --walks 48 --seconds 80 "$@" >> "$out"; }
+map() { local name=$1; shift; "$binary" --building "maps/$name" --first 900 --walks 40 --seconds 90 "$@" >> "$out"; }
 for hints in "" --no-hints; do
   for start in "" --unknown; do
     offices $start $hints
