@@ -80,8 +80,11 @@ std::optional<double> HeardSpace::wall(double direction, double now) const noexc
 }
 
 std::optional<double> HeardSpace::toward(double direction, double now) const noexcept {
-  const double half = 0.75 * kTwoPi / belt_->sensors;
-  return nearest(direction, half, [&](int sensor, double) { return steady(sensor, now); });
+  return nearest(direction, around(), [&](int sensor, double) { return steady(sensor, now); });
+}
+
+bool HeardSpace::answers(double direction, double now) const noexcept {
+  return nearest(direction, around(), [&](int sensor, double) { return fresh(sensor, now); }).has_value();
 }
 
 bool HeardSpace::is_open(double direction, double free_m, double now) const noexcept {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "echoway/belt/belt.hpp"
+#include "echoway/units.hpp"
 
 namespace echoway::guidance {
 
@@ -27,6 +28,8 @@ class HeardSpace {
   /// Whether the nearest steady echo that comes from there is `free_m` away and more, and nothing nearer lies in the way. Where
   /// nothing answers it is not known: a wall too near to be heard says nothing either.
   [[nodiscard]] bool is_open(double direction, double free_m, double now) const noexcept;
+  /// Whether any echo comes from there. A wall too near to be heard is silent, and one that is taken for the wearer's hands.
+  [[nodiscard]] bool answers(double direction, double now) const noexcept;
   /// Distance of the nearest echo within a sensor's spacing of straight ahead, metres from the chest's middle.
   [[nodiscard]] std::optional<double> ahead(double now) const noexcept;
 
@@ -43,6 +46,9 @@ class HeardSpace {
   /// The least of what `listen(sensor, aside)` says of the sensors that look no more than `half` aside of `direction`, radians.
   template <class Listen>
   [[nodiscard]] std::optional<double> nearest(double direction, double half, Listen listen) const noexcept;
+
+  /// How far aside of a direction a sensor looks that hears what comes from there, radians.
+  [[nodiscard]] double around() const noexcept { return 0.75 * kTwoPi / belt_->sensors; }
 
   const BeltConfig* belt_;
   std::array<Heard, kMaxSensors> heard_{};

@@ -87,24 +87,27 @@ Cue Search::next_request(double now, std::span<const Hypothesis> places, std::op
   // On the way that the last walk went, however the wearer has turned since: to and fro shows nothing new.
   const double onward = wrap_angle(step_direction_ - turning_->turned());
   const auto way = heard_->way(probe.direction, now);
-  const bool tells = probe.action == Probe::Action::step && way && *way > kStepFree;
+  const bool tells = probe.action == Probe::Action::step && way && *way > kStepFree && heard_->answers(probe.direction, now);
   if (tells && std::abs(wrap_angle(probe.direction - onward)) < kBack) return move_to(probe.direction, now, places);
   const auto free = freest(wanted.value_or(onward), now);
   return free ? move_to(*free, now, places) : turn;
 }
 
 /// Of the directions that can be told the one where the way is free farthest; about the preferred one rather than others.
+/// One from which nothing answers only where there is no other: there may be a wall right beside the wearer.
 std::optional<double> Search::freest(double preferred, double now) const {
   constexpr double kSame = degrees(46.0);
   constexpr double kRather = 2.0;
   constexpr double kFarEnough = 4.0;  // metres
+  constexpr double kSilent = 0.1;
   std::optional<double> best;
   double most = 0.0;
   for (const double direction : kSpokenDirections) {
     const auto way = heard_->way(direction, now);
     if (!way || *way < kStepFree) continue;
     const double off = std::abs(wrap_angle(direction - preferred));
-    const double worth = std::min(*way, kFarEnough) * (off < kSame ? kRather - off / kPi : 1.0);
+    const double known = heard_->answers(direction, now) ? 1.0 : kSilent;
+    const double worth = known * std::min(*way, kFarEnough) * (off < kSame ? kRather - off / kPi : 1.0);
     if (worth <= most) continue;
     most = worth;
     best = direction;

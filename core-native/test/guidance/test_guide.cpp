@@ -368,6 +368,37 @@ TEST_F(GuideTest, LostItTakesAWallBeforeTheChestForNoHand) {
   }
 }
 
+/// The ways that a lost wearer is sent by `wearer`'s guide in 40 s of hearing `range`, from the chest.
+template <class W, class Range>
+std::vector<double> ways_asked_for(W& wearer, Range range) {
+  std::vector<double> ways;
+  for (const Cue& cue : wearer.hear(40.0, lost(0), range)) {
+    if (const auto way = way_asked_for(cue)) ways.push_back(*way);
+  }
+  return ways;
+}
+
+TEST_F(GuideTest, LostItSendsTheWearerRatherToWhereSomethingAnswers) {
+  (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
+  // A wall on the left, too near to be heard: silent are all who look there and ahead.
+  const auto ways = ways_asked_for(wearer, [](double bearing) {
+    if (bearing > degrees(-10.0) && bearing < degrees(100.0)) return Firing::kNoEcho;
+    return bearing < 0.0 && bearing > degrees(-130.0) ? 1.4 : 0.6;
+  });
+  ASSERT_FALSE(ways.empty());
+  for (const double way : ways) EXPECT_LT(way, degrees(-20.0));
+}
+
+TEST_F(GuideTest, LostItDoesNotSendTheWearerWhereAnEchoMayBeAHandOrAWall) {
+  (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
+  const auto ways = ways_asked_for(wearer, [](double bearing) {
+    if (bearing > degrees(60.0) && bearing < degrees(125.0)) return 0.22;
+    return std::abs(bearing) < degrees(20.0) || std::abs(bearing) > degrees(130.0) ? 0.6 : 1.4;
+  });
+  ASSERT_FALSE(ways.empty());
+  for (const double way : ways) EXPECT_NE(sector_of(way), Sector::left);
+}
+
 TEST_F(GuideTest, LostItKeepsAWalkerFromWhatTheBeltHearsAhead) {
   (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
   Estimate walking = lost(0);
