@@ -65,7 +65,7 @@ BENCH_MAP := maps/torgersen-lab
 .PHONY: bench
 bench: core bench-app ## Error against run time (docs/error-against-run-time.md), the thesis's match, routes, bytes to estimate
 	@$(BUILD)/bin/echoway_bench --benchmark_min_time=0.2
-	@$(ECHOWAY) bench --building $(BENCH_MAP) --walks 10 --csv $(BUILD)/error-against-run-time.csv
+	@$(ECHOWAY) bench --building $(BENCH_MAP) --walks 40 --csv $(BUILD)/error-against-run-time.csv
 	@$(PYTHON) scripts/plot_error_against_time.py $(BUILD)/error-against-run-time.csv --building $(BENCH_MAP) \
 	    --plot docs/images/error-against-run-time.png --page docs/error-against-run-time.md
 

@@ -13,6 +13,10 @@ cluttered=(maps/similar-rooms maps/torgersen-lab maps/two-rooms office)
 # Westport House is left out below: its many walls make the simulated echoes slow.
 small=(maps/sample-room maps/similar-rooms maps/torgersen-lab maps/two-rooms office)
 "$binary" "$rows" "$traces" 40 empty "${small[@]}"
-"$binary" "$rows" "$traces" 40 furnished "${small[@]}" levels
-"$binary" "$rows" "$traces" 40 cluttered "${cluttered[@]}"
+# Each office is another building, and what stands in it decides: fewer walks say little.
+"$binary" "$rows" "$traces" 40 furnished "${small[@]::4}"
+"$binary" "$rows" "$traces" 120 furnished office
+"$binary" "$rows" "$traces" 40 furnished levels
+"$binary" "$rows" "$traces" 40 cluttered "${cluttered[@]::3}"
+"$binary" "$rows" "$traces" 120 cluttered office
 "$binary" "$rows" "$traces" 40 search maps/torgersen-lab
