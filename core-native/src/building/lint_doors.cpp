@@ -45,7 +45,7 @@ class DoorLint {
   }
   [[nodiscard]] const std::string& id(RoomIndex room) const { return building_.room(room).id; }
   [[nodiscard]] std::string name(const Door& door) const {
-    return "the door between rooms '" + id(door.room_a) + "' and '" + id(door.room_b) + "'";
+    return door_label(building_, door);
   }
 
   void lint_position(std::size_t door, RoomIndex room, Vec2 at) {

@@ -4,6 +4,12 @@
 
 namespace echoway {
 
+std::string room_label(const Building& building, RoomIndex room) { return "room " + building.room(room).id; }
+
+std::string door_label(const Building& building, const Door& door) {
+  return "the door between rooms '" + building.room(door.room_a).id + "' and '" + building.room(door.room_b).id + "'";
+}
+
 std::string Phrases::length(double metres) const {
   return text::brief(metres / metres_per(unit_)) + (unit_ == LengthUnit::feet ? " ft" : " m");
 }

@@ -6,6 +6,9 @@
 
 namespace echoway {
 
+[[nodiscard]] std::string room_label(const Building& building, RoomIndex room);     ///< `room hall`
+[[nodiscard]] std::string door_label(const Building& building, const Door& door);   ///< `the door between rooms 'hall' and '2'`
+
 /// Words for messages, in the unit in which the building's files are written.
 class Phrases {
  public:

@@ -13,13 +13,11 @@ namespace {
 
 constexpr std::int32_t kNoDoor = -1;
 
-std::string room_label(const Building& building, RoomIndex room) { return "room " + building.room(room).id; }
-
 /// `the door between rooms 'hall' and 'store' is 0.25 m wide, and a person needs 0.4 m`
 std::string too_narrow(const Building& building, const Door& door) {
   const Phrases phrases(building.unit);
-  return "the door between rooms '" + building.room(door.room_a).id + "' and '" + building.room(door.room_b).id + "' is " +
-         phrases.length(door.width) + " wide, and a person needs " + phrases.length(kNarrowestDoor);
+  return door_label(building, door) + " is " + phrases.length(door.width) + " wide, and a person needs " +
+         phrases.length(kNarrowestDoor);
 }
 
 std::string why_closed(const Building& building, RoomIndex room) {

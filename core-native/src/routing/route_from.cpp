@@ -1,14 +1,13 @@
 #include <algorithm>
 #include <limits>
 
+#include "building/phrases.hpp"
 #include "echoway/routing/router.hpp"
 
 namespace echoway {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-std::string room_label(const Building& building, RoomIndex room) { return "room " + building.room(room).id; }
 
 }  // namespace
 

@@ -99,10 +99,14 @@ void HintIntegrator::note_step_interval(double seconds) noexcept {
   step_interval_ = step_interval_ > 0.0 ? 0.7 * step_interval_ + 0.3 * seconds : seconds;
 }
 
+bool HintIntegrator::in_step(double time_s) const noexcept {
+  return interval_count_ >= kFewestIntervals && time_s - last_step_ <= kLongestStep;
+}
+
 // A step missed doubles an interval and one invented splits one: the median minds neither.
 double HintIntegrator::cadence(double time_s) const noexcept {
+  if (!in_step(time_s)) return 0.0;
   const std::size_t count = std::min(interval_count_, kIntervals);
-  if (count < kFewestIntervals || time_s - last_step_ > kLongestStep) return 0.0;
   std::array<double, kIntervals> sorted;
   for (std::size_t i = 0; i < kIntervals; ++i) sorted[i] = intervals_[i % count];
   std::sort(sorted.begin(), sorted.end());
@@ -122,7 +126,7 @@ Interval HintIntegrator::close(double time_s, double seconds) noexcept {
   interval.seconds = seconds;
   interval.turn_known = time_s - last_rate_time_ < kStaleRate || time_s - last_heading_time_ < kStaleRate;
   interval.turn = turn_;
-  interval.in_step = cadence(time_s) > 0.0;
+  interval.in_step = in_step(time_s);
   turn_ = 0.0;
   return interval;
 }

@@ -71,6 +71,8 @@ class HintIntegrator {
   [[nodiscard]] GaitEvidence take_gait_evidence(double time_s, double seconds) noexcept;
   /// Steps a second, the median of the last ones; 0 when nobody is stepping or too few steps were heard.
   [[nodiscard]] double cadence(double time_s) const noexcept;
+  /// Whether it is known how fast steps follow.
+  [[nodiscard]] bool in_step(double time_s) const noexcept;
   /// What the gyroscope read during a second of standing that has just ended, once.
   [[nodiscard]] std::optional<double> take_still_rate() noexcept { return still_.take(); }
   void reset_clock() noexcept;
