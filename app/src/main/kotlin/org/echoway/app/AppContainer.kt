@@ -5,7 +5,6 @@ import android.content.Context
 import android.content.pm.PackageManager
 import android.hardware.SensorManager
 import android.media.AudioManager
-import android.media.ToneGenerator
 import android.os.Build
 import android.os.Vibrator
 import androidx.core.content.ContextCompat
@@ -18,6 +17,7 @@ import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.MainScope
 import kotlinx.coroutines.asCoroutineDispatcher
 import kotlinx.coroutines.flow.map
+import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
 import org.echoway.app.belt.AndroidUsbBus
 import org.echoway.app.belt.BeltSource
@@ -46,6 +46,7 @@ import org.echoway.app.settings.SourceKind
 import org.echoway.app.touch.Buzzer
 import org.echoway.app.touch.PhoneBuzzer
 import org.echoway.app.voice.PhoneAudioFocus
+import org.echoway.app.voice.PhoneTones
 import org.echoway.app.voice.TtsVoice
 import org.echoway.app.voice.Voice
 import org.echoway.app.voice.VoiceWithTones
@@ -88,14 +89,18 @@ open class PhoneContainer(private val context: Context) : AppContainer {
 
     override val speech by lazy { SpeechQueue(voice, clock, MainScope()) }
 
-    override val guide by lazy { Guide({ Wording.of(context, it) }, speech, buzzer, navigator, clock) }
+    override val guide by lazy {
+        Guide({ Wording.of(context, it) }, speech, buzzer, navigator, clock).also { guide ->
+            MainScope().launch { guide.follow(settings.settings) }
+        }
+    }
 
     override val lookout by lazy { Lookout(PhoneSiren(), clock, guide::tell) }
 
     override val presence: Presence get() = MomentOfSilence()
 
     override val voice: Voice by lazy {
-        VoiceWithTones(TtsVoice(context, PhoneAudioFocus(context.getSystemService(AudioManager::class.java)))) { beep() }
+        VoiceWithTones(TtsVoice(context, PhoneAudioFocus(context.getSystemService(AudioManager::class.java))), PhoneTones())
     }
 
     override val buzzer: Buzzer by lazy { PhoneBuzzer(context.getSystemService(Vibrator::class.java)) }
@@ -133,15 +138,6 @@ open class PhoneContainer(private val context: Context) : AppContainer {
 
     private fun stepsAllowed() = Build.VERSION.SDK_INT < Build.VERSION_CODES.Q ||
         ContextCompat.checkSelfPermission(context, Manifest.permission.ACTIVITY_RECOGNITION) == PackageManager.PERMISSION_GRANTED
-
-    private fun beep() {
-        toneGenerator?.startTone(ToneGenerator.TONE_PROP_ACK)
-    }
-
-    /** Android throws when it has no tone generator left to give. */
-    private val toneGenerator by lazy {
-        runCatching { ToneGenerator(AudioManager.STREAM_MUSIC, ToneGenerator.MAX_VOLUME) }.getOrNull()
-    }
 
     private fun versionCode(): Long = context.packageManager.getPackageInfo(context.packageName, 0).let {
         if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.P) it.longVersionCode else 0L

@@ -30,9 +30,7 @@ import org.echoway.app.ui.EchowayUi
 import org.echoway.app.ui.setup.SetupViewModel
 
 class MainActivity : ComponentActivity() {
-    private val setup by viewModels<SetupViewModel> {
-        viewModelFactory { initializer { SetupViewModel(container, getString(R.string.entrance_unknown)) } }
-    }
+    private val setup by viewModels<SetupViewModel> { viewModelFactory { initializer { SetupViewModel(container) } } }
 
     // Guidance starts whatever the answer is: without notifications it still speaks, without steps it still locates.
     private val permissions = registerForActivityResult(RequestMultiplePermissions()) { NavigationService.start(this) }

@@ -25,10 +25,10 @@ class AndroidUsbBus(
 ) : UsbBus {
     private val manager = context.getSystemService(UsbManager::class.java)
 
-    override val changes: Flow<Unit> = callbackFlow {
+    override val changes: Flow<UsbChange> = callbackFlow {
         val receiver = object : BroadcastReceiver() {
             override fun onReceive(context: Context, intent: Intent) {
-                trySend(Unit)
+                trySend(if (intent.isRefusal) UsbChange.REFUSED else UsbChange.LOOK)
             }
         }
         val filter = IntentFilter().apply {
@@ -37,7 +37,7 @@ class AndroidUsbBus(
             addAction(ACTION_PERMISSION)
         }
         ContextCompat.registerReceiver(context, receiver, filter, ContextCompat.RECEIVER_NOT_EXPORTED)
-        trySend(Unit)
+        trySend(UsbChange.LOOK)
         awaitClose { context.unregisterReceiver(receiver) }
     }
 
@@ -69,6 +69,9 @@ class AndroidUsbBus(
             return UsbLine(port)
         }
     }
+
+    private val Intent.isRefusal
+        get() = action == ACTION_PERMISSION && !getBooleanExtra(UsbManager.EXTRA_PERMISSION_GRANTED, false)
 
     private companion object {
         const val ACTION_PERMISSION = "org.echoway.app.USB_PERMISSION"

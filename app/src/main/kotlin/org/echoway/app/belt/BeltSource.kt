@@ -22,8 +22,11 @@ sealed interface BeltEvent {
     /** The line is gone; the source waits for it to come back. */
     data object Detached : BeltEvent
 
-    /** A belt is there but the wearer has not allowed its use. */
+    /** A belt is there but the wearer has not allowed its use; the phone asks them. */
     data object PermissionMissing : BeltEvent
+
+    /** They said no, or let the question go by; [BeltSource.askAgain] puts it once more. */
+    data object PermissionRefused : BeltEvent
 
     /** Nothing more will come: a recording is over. */
     data object Ended : BeltEvent
@@ -40,6 +43,9 @@ interface BeltSource {
      * @throws IOException when a recording cannot be read
      */
     suspend fun setup(): BeltSetup = BeltSetup()
+
+    /** Asks the wearer once more for what they refused; nothing where nothing was. Safe from any thread. */
+    fun askAgain() = Unit
 
     /** Whether [events] brings motion hints of its own, so that the phone's sensors must stay out. */
     val bringsMotion: Boolean

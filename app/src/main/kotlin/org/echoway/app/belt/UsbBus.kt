@@ -4,10 +4,19 @@ import java.io.Closeable
 import java.io.IOException
 import kotlinx.coroutines.flow.Flow
 
+/** Why to look at the USB port. */
+enum class UsbChange {
+    /** Something was plugged in, pulled out or allowed; or it is the first look. */
+    LOOK,
+
+    /** The wearer did not allow the belt's use. */
+    REFUSED,
+}
+
 /** The phone's USB port, as far as a belt is concerned. */
 interface UsbBus {
-    /** Emits once at the start, then whenever something was plugged in, pulled out, allowed or refused. */
-    val changes: Flow<Unit>
+    /** Emits [UsbChange.LOOK] once at the start, then whenever something changes. */
+    val changes: Flow<UsbChange>
 
     /** The belt that is plugged in now. */
     fun belt(): UsbBelt?

@@ -6,6 +6,7 @@ import kotlinx.coroutines.flow.MutableStateFlow
 import kotlinx.coroutines.flow.StateFlow
 import kotlinx.coroutines.flow.asStateFlow
 import kotlinx.coroutines.flow.collectLatest
+import kotlinx.coroutines.flow.combine
 import kotlinx.coroutines.flow.distinctUntilChanged
 import kotlinx.coroutines.flow.map
 import org.echoway.app.Clock
@@ -32,10 +33,11 @@ class Lookout(private val siren: Siren, private val clock: Clock, private val te
 
     val stillness: StateFlow<Stillness> = judged.asStateFlow()
 
-    /** Watches while firefighter mode is chosen, until it is cancelled. */
+    /** Watches while firefighter mode is chosen and guidance goes on: without it nobody's movements are seen. Until it is cancelled. */
     suspend fun run(states: StateFlow<NavigationState>, settings: Flow<Settings>) {
         var watching = false
-        settings.map { if (it.firefighter) it.notMovedAlertS else 0 }.distinctUntilChanged().collectLatest { seconds ->
+        val goesOn = states.map { it is NavigationState.Running }.distinctUntilChanged()
+        combine(settings, goesOn) { wanted, on -> if (wanted.firefighter && on) wanted.notMovedAlertS else 0 }.distinctUntilChanged().collectLatest { seconds ->
             if (watching && seconds == 0) tell(Message.WatchEnded)
             watching = seconds > 0
             if (watching) watchOver(states, seconds.toDouble())

@@ -17,6 +17,7 @@ class WhereAmITile : TileService() {
     private val running get() = container.navigator.state.value is NavigationState.Running
 
     override fun onStartListening() {
+        container.guide // reads meanwhile in which language to answer
         val tile = qsTile ?: return
         tile.state = if (running) Tile.STATE_ACTIVE else Tile.STATE_INACTIVE
         tile.label = getString(R.string.where_am_i)

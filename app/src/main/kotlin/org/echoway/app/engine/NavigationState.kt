@@ -12,8 +12,8 @@ sealed interface NavigationState {
 
     data object Idle : NavigationState
 
-    /** Navigation could not begin; [reason] is the core's own sentence. */
-    data class Failed(val reason: String) : NavigationState
+    /** Navigation could not begin; [reason] says more, in the core's own words. */
+    data class Failed(val why: NoStart, val reason: String) : NavigationState
 
     /**
      * @property timeS when this was so, on the app's clock
@@ -22,6 +22,7 @@ sealed interface NavigationState {
      * @property leading what the wearer is led to ([Wish.LeadTo] or [Wish.BackTrack]); null without a destination
      * @property obstacleM how far the nearest unmapped thing in the way is, metres; null when there is none
      * @property movedS when the wearer last moved for sure, on the app's clock
+     * @property live whether a belt is worn now; false while a recorded walk is played
      */
     data class Running(
         val building: InstalledBuilding,
@@ -32,10 +33,29 @@ sealed interface NavigationState {
         val leading: Wish? = null,
         val obstacleM: Double? = null,
         val movedS: Double = timeS,
+        val live: Boolean = true,
     ) : NavigationState {
         override val plan: Plan get() = building.plan
     }
 }
 
 /** The belt's line, before anything on it is understood. */
-enum class Line { WAITING, PERMISSION_MISSING, OPEN, GONE, ENDED }
+enum class Line {
+    WAITING,
+
+    /** The phone asks the wearer for leave to use the belt. */
+    PERMISSION_MISSING,
+
+    /** They did not give it. */
+    REFUSED,
+    OPEN,
+    GONE,
+    ENDED,
+    ;
+
+    /** A belt is plugged in that may not be used. */
+    val isForbidden get() = this == PERMISSION_MISSING || this == REFUSED
+}
+
+/** Why guidance cannot begin. */
+enum class NoStart { NO_BUILDING, BUILDING_UNUSABLE, RECORDING_UNREADABLE }

@@ -28,7 +28,10 @@ import org.echoway.app.motion.MotionSource
 import org.echoway.core.BeltSetup
 import org.echoway.core.CoreException
 import org.echoway.core.CoreSession
+import org.echoway.core.Destination
+import org.echoway.core.DestinationKind
 import org.echoway.core.MotionHint
+import org.echoway.core.Plan
 import org.echoway.core.SpeechStyle
 import org.echoway.core.Start
 
@@ -77,12 +80,12 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
         forgetWishes()
         isLive = !source.bringsMotion
         try {
-            Run(building, start, source.setup(), witness).use { it.run(source, motion) }
+            Run(building, start, source.setup(), source, witness).use { it.run(motion) }
         } catch (e: CoreException) {
-            published.value = NavigationState.Failed(e.message.orEmpty())
+            published.value = NavigationState.Failed(NoStart.BUILDING_UNUSABLE, e.message.orEmpty())
         } catch (e: IOException) {
-            // A recording that cannot be read. To end without a word would leave the wearer with silence.
-            published.value = NavigationState.Failed(e.message.orEmpty())
+            // To end without a word would leave the wearer with silence.
+            published.value = NavigationState.Failed(NoStart.RECORDING_UNREADABLE, e.message.orEmpty())
         } finally {
             isLive = false
             if (published.value is NavigationState.Running) published.value = NavigationState.Idle
@@ -96,18 +99,19 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
 
     private inner class Run(
         private val building: InstalledBuilding,
-        private val start: Start,
+        private var start: Start,
         private var belt: BeltSetup,
+        private val source: BeltSource,
         private val witness: Witness?,
     ) : Closeable {
         private var session = CoreSession.open(building.folder, clock.nowS(), start, belt)
-        private val openedS = clock.nowS()
+        private var heardSinceS: Double? = null // from that start on
         private var line = Line.WAITING
         private var health = session.beltHealth
         private var leading: Wish? = null
         private var movedS = clock.nowS()
 
-        suspend fun run(source: BeltSource, motion: MotionSource) = coroutineScope {
+        suspend fun run(motion: MotionSource) = coroutineScope {
             publish()
             launch { tick() }
             launch { for (wish in wishes) grant(wish) }
@@ -133,6 +137,7 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
         private fun grant(wish: Wish) {
             try {
                 obey(wish)
+                told.tryEmit(GuidanceEvent.Granted(wish))
             } catch (e: CoreException) {
                 told.tryEmit(GuidanceEvent.Refused(wish, e.message.orEmpty()))
             }
@@ -142,28 +147,40 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
         private fun obey(wish: Wish) {
             when (wish) {
                 Wish.WhereAmI -> session.whereAmI()
-                Wish.Repeat -> if (!session.repeat()) told.tryEmit(GuidanceEvent.Refused(wish, "there is no instruction that still holds"))
+                Wish.Repeat -> if (!session.repeat()) throw CoreException("there is no instruction that still holds")
                 is Wish.LeadTo -> session.setDestination(wish.destination, wish.preferences)
                 Wish.BackTrack -> session.backTrack()
                 Wish.StopLeading -> session.clearDestination()
                 is Wish.StandAt -> restart(wish.start)
+                Wish.AllowBelt -> source.askAgain()
             }
             when (wish) {
                 is Wish.LeadTo, Wish.BackTrack -> leading = wish
                 Wish.StopLeading -> leading = null
-                // A destination stays; the breadcrumbs of a way back are gone.
-                is Wish.StandAt -> if (!session.hasDestination) leading = null
-                Wish.WhereAmI, Wish.Repeat -> Unit
+                // A destination stays.
+                is Wish.StandAt -> if (!session.hasDestination) loseWay()
+                Wish.WhereAmI, Wish.Repeat, Wish.AllowBelt -> Unit
             }
+        }
+
+        /** A way back ends with the breadcrumbs that it followed. */
+        private fun loseWay() {
+            if (leading == Wish.BackTrack) told.tryEmit(GuidanceEvent.WayBackLost)
+            leading = null
         }
 
         private fun restart(start: Start) {
             session.restart(start)
+            this.start = start
+            heardSinceS = null
             witness?.onRestart(start, clock.nowS())
         }
 
         /** A room that this building does not have is no reason to stop playing. */
-        private fun replay(restart: LoggedRestart) = restart.startIn(building.plan)?.let { grant(Wish.StandAt(it)) }
+        private fun replay(restart: LoggedRestart) = restart.startIn(building.plan)?.let { start ->
+            val room = start.room.takeIf { it != Plan.NO_ROOM }
+            grant(Wish.StandAt(start, room?.let { Destination(DestinationKind.ROOM, it) }))
+        }
 
         private suspend fun feedMotion(hints: Flow<MotionHint>) = hints.collect(::onMotion)
 
@@ -175,6 +192,7 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
 
         private fun onBytes(bytes: BeltEvent.Bytes) {
             if (session.onBytes(bytes.data, bytes.arrivalS) == 0) return
+            if (heardSinceS == null) heardSinceS = bytes.arrivalS
             witness?.onFirings(session.beltHealth.sensors)
             witness?.onEstimate(session.estimate)
             publish()
@@ -198,6 +216,7 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
                 BeltEvent.Detached -> moveTo(Line.GONE) { session.onBeltDetached(clock.nowS()) }
                 BeltEvent.Ended -> moveTo(Line.ENDED) { session.onBeltDetached(clock.nowS()) }
                 BeltEvent.PermissionMissing -> moveTo(Line.PERMISSION_MISSING) {}
+                BeltEvent.PermissionRefused -> moveTo(Line.REFUSED) {}
             }
         }
 
@@ -217,8 +236,10 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
         private fun wear(other: BeltSetup) {
             session.close()
             belt = other
-            session = CoreSession.open(building.folder, clock.nowS(), if (clock.nowS() - openedS < STILL_THERE_S) start else Start(), belt)
-            (leading as? Wish.LeadTo)?.let(::grant)
+            val stillThere = clock.nowS() - (heardSinceS ?: clock.nowS()) < STILL_THERE_S
+            session = CoreSession.open(building.folder, clock.nowS(), if (stillThere) start else Start(), belt)
+            if (!stillThere) told.tryEmit(GuidanceEvent.BeltChanged(belt.sensors))
+            (leading as? Wish.LeadTo)?.let(::grant) ?: loseWay()
         }
 
         override fun close() = session.close()
@@ -227,7 +248,7 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
             val estimate = session.estimate
             if (abs(estimate.speedMps) > WALKING_MPS) movedS = clock.nowS()
             published.value =
-                NavigationState.Running(building, clock.nowS(), line, health, estimate, leading, session.obstacleAheadM, movedS)
+                NavigationState.Running(building, clock.nowS(), line, health, estimate, leading, session.obstacleAheadM, movedS, isLive)
             while (true) told.tryEmit(GuidanceEvent.Told(session.nextCue(style) ?: return))
         }
     }
@@ -239,7 +260,7 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
         /** Estimates of somebody who stands move a little less. */
         const val WALKING_MPS = 0.3
 
-        /** Whoever began guidance so short a time ago is still near where they began. */
+        /** Whose belt has been heard for so short a time is still near where they began. */
         const val STILL_THERE_S = 5.0
         const val EVENTS_IN_FLIGHT = 64
         const val WISHES_IN_FLIGHT = 8

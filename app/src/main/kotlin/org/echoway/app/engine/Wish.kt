@@ -24,8 +24,11 @@ sealed interface Wish {
 
     data object StopLeading : Wish
 
-    /** The wearer says where they stand: all that was thought of the place before is forgotten. */
-    data class StandAt(val start: Start) : Wish
+    /** The wearer says where they stand, [place] if they can name it: all that was thought of it before is forgotten. */
+    data class StandAt(val start: Start, val place: Destination? = null) : Wish
+
+    /** To be asked once more whether the belt may be used. */
+    data object AllowBelt : Wish
 }
 
 /** What a guide has of the core. Safe from any thread. */
@@ -41,8 +44,17 @@ interface Core {
 sealed interface GuidanceEvent {
     data class Told(val cue: Cue) : GuidanceEvent
 
+    /** [wish] is met from now on, or about to be answered by cues. */
+    data class Granted(val wish: Wish) : GuidanceEvent
+
     /** [wish] cannot be met; [reason] is the core's own sentence, for a log. */
     data class Refused(val wish: Wish, val reason: String) : GuidanceEvent
+
+    /** The belt turned out to have [sensors]; what was heard before is void, and the wearer is looked for anew. */
+    data class BeltChanged(val sensors: Int) : GuidanceEvent
+
+    /** The wearer was on their way back, and where they came from is no longer known. */
+    data object WayBackLost : GuidanceEvent
 }
 
 /** What a picture of navigation shows besides the estimate. */

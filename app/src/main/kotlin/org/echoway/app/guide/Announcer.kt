@@ -23,19 +23,29 @@ class Announcer {
         previous = state
         return when (state) {
             NavigationState.Idle -> emptyList<Message>().also { belt.reset() }
-            is NavigationState.Failed -> if (before == state) emptyList() else listOf(Message.CannotStart(state.reason))
-            is NavigationState.Running -> belt.onState(state)
+            is NavigationState.Failed -> if (before == state) emptyList() else listOf(Message.CannotStart(state.why))
+            is NavigationState.Running -> {
+                val played = before !is NavigationState.Running && !state.live
+                listOfNotNull(Message.RecordedWalk.takeIf { played }) + belt.onState(state)
+            }
         }
     }
 
     fun onEvent(event: GuidanceEvent): List<Message> = when (event) {
         is GuidanceEvent.Told -> if (event.cue.kind in OF_THE_BELT) emptyList() else listOfNotNull(Message.Told(event.cue), detail(event.cue))
+        is GuidanceEvent.Granted -> confirmation(event.wish)
         is GuidanceEvent.Refused -> listOfNotNull(refusal(event.wish))
+        is GuidanceEvent.BeltChanged -> listOf(Message.BeltChanged(event.sensors))
+        GuidanceEvent.WayBackLost -> listOf(Message.WayBackLost)
     }
 
     /** Whether the core can answer; otherwise what is said instead. */
     fun withoutAnswer(): NoAnswer? = when (val state = previous) {
-        is NavigationState.Running -> if (state.hearsBelt) null else NoAnswer.NoBelt(lastRoom(state))
+        is NavigationState.Running -> when {
+            state.hearsBelt -> null
+            state.line.isForbidden -> NoAnswer.NotAllowed
+            else -> NoAnswer.NoBelt(lastRoom(state))
+        }
         else -> NoAnswer.NotRunning
     }
 
@@ -53,13 +63,22 @@ class Announcer {
         return Message.RoomDetail(doors, places).takeIf { doors > 0 || places.isNotEmpty() }
     }
 
+    /** Of what the core answers by itself, nothing. Of a way that cannot be told just now, why. */
+    private fun confirmation(wish: Wish): List<Message> = when (wish) {
+        Wish.BackTrack -> listOfNotNull(Message.LeadingBack, withoutAnswer()?.let(Message::Unanswerable))
+        Wish.StopLeading -> listOf(Message.LeadingStopped)
+        is Wish.StandAt -> listOfNotNull(plan?.let { Message.StartedAgain(it, wish.place) })
+        is Wish.LeadTo, Wish.WhereAmI, Wish.Repeat, Wish.AllowBelt -> emptyList()
+    }
+
     private fun refusal(wish: Wish): Message? = when (wish) {
         is Wish.LeadTo -> Message.CannotLead(
             if (wish.destination.kind == DestinationKind.NEAREST_EXIT && plan?.exits.isNullOrEmpty()) NoWay.NO_EXIT_KNOWN else NoWay.NOT_REACHABLE,
         )
         Wish.BackTrack -> Message.CannotLead(NoWay.NOTHING_WALKED_YET)
         Wish.Repeat -> Message.NothingToRepeat
-        Wish.WhereAmI, Wish.StopLeading, is Wish.StandAt -> null
+        is Wish.StandAt -> plan?.let { Message.CannotStandAt(it, wish.place) }
+        Wish.WhereAmI, Wish.StopLeading, Wish.AllowBelt -> null
     }
 
     private companion object {

@@ -38,7 +38,9 @@ internal class BeltAnnouncer {
         val lineBefore = line
         val heardBefore = hearing
         line = state.line
-        if (line == Line.PERMISSION_MISSING && lineBefore != line) return listOf(Message.BeltNotAllowed)
+        if (line == Line.REFUSED && lineBefore != line) return listOf(Message.BeltRefused)
+        // Who is asked once more has wished for it, and was answered.
+        if (line == Line.PERMISSION_MISSING && !lineBefore.isForbidden) return listOf(Message.BeltNotAllowed)
         if (line == Line.ENDED && lineBefore != line) {
             hearing = false
             return listOf(Message.RecordingOver)
@@ -57,7 +59,7 @@ internal class BeltAnnouncer {
     /** Whoever starts guidance and hears nothing must not take that for "all is well". */
     private fun waiting(state: NavigationState.Running): List<Message> {
         val since = waitingSinceS ?: state.timeS.also { waitingSinceS = it }
-        if (toldWaiting || state.timeS - since < PATIENCE_S || state.line == Line.PERMISSION_MISSING) return emptyList()
+        if (toldWaiting || state.timeS - since < PATIENCE_S || state.line.isForbidden) return emptyList()
         toldWaiting = true
         return listOf(Message.WaitingForBelt)
     }

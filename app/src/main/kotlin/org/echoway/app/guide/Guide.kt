@@ -61,25 +61,32 @@ class Guide(
     /** Observes navigation until it is cancelled. */
     suspend fun run(states: Flow<NavigationState>, events: Flow<GuidanceEvent>, settings: Flow<Settings>) = coroutineScope {
         silenced.value = false
-        follow(settings.first(), speech.language.value)
+        adopt(settings.first(), speech.language.value)
         if (!buzzer.present && vibrates) tell(Message.NoVibration)
-        launch { combine(settings, speech.language, ::Pair).collect { (wanted, language) -> follow(wanted, language) } }
+        launch { follow(settings) }
         launch { events.collect { event -> announcer.onEvent(event).forEach(::tell) } }
         launch { states.map(::obstacle).distinctUntilChanged().collectLatest { it?.let { tick(it) } } }
-        states.collect { state ->
-            running = state is NavigationState.Running
-            announcer.onState(state).forEach(::tell)
+        try {
+            states.collect(::onState)
+        } finally {
+            // Whoever asks later must not be answered as if guidance went on.
+            onState(NavigationState.Idle)
         }
+    }
+
+    private fun onState(state: NavigationState) {
+        running = state is NavigationState.Running
+        announcer.onState(state).forEach(::tell)
     }
 
     override fun ask(ask: Ask) {
         when (ask) {
-            Ask.WHERE_AM_I -> announcer.withoutAnswer()?.let { tell(Message.Unanswerable(it)) } ?: core.ask(Wish.WhereAmI)
+            Ask.WHERE_AM_I -> announcer.withoutAnswer()?.let(::excuse) ?: core.ask(Wish.WhereAmI)
             Ask.REPEAT -> repeat()
             Ask.MUTE -> mute(!silenced.value)
             Ask.WAY_OUT -> leadTo(Destination.WAY_OUT)
-            Ask.WAY_BACK -> if (lead(Wish.BackTrack)) tell(Message.LeadingBack)
-            Ask.STOP_LEADING -> if (lead(Wish.StopLeading)) tell(Message.LeadingStopped)
+            Ask.WAY_BACK -> lead(Wish.BackTrack)
+            Ask.STOP_LEADING -> lead(Wish.StopLeading)
             Ask.START_AGAIN -> standAt(announcer.plan?.entrance(entrance))
         }
     }
@@ -87,16 +94,19 @@ class Guide(
     /** The wearer says that they stand at this exit or in this room, or that they do not know where (null). */
     fun standAt(place: Destination?) {
         val plan = announcer.plan
-        when {
-            plan == null -> tell(Message.CannotLead(NoWay.NOT_RUNNING))
-            lead(Wish.StandAt(startAt(plan, place))) -> tell(Message.StartedAgain(place?.let { wording.name(plan, it) }))
-        }
+        if (plan == null) tell(Message.CannotLead(NoWay.NOT_RUNNING)) else lead(Wish.StandAt(startAt(plan, place), place))
     }
 
     /** Leads to a destination from now on. */
     fun leadTo(destination: Destination) {
         // The core keeps the wish and answers it when it knows where the wearer is; without a belt that may take long.
-        if (lead(Wish.LeadTo(destination, preferences))) announcer.withoutAnswer()?.let { tell(Message.Unanswerable(it)) }
+        if (lead(Wish.LeadTo(destination, preferences))) announcer.withoutAnswer()?.let(::excuse)
+    }
+
+    /** Says why there is no answer now, and does what may help. */
+    private fun excuse(why: NoAnswer) {
+        if (why == NoAnswer.NotAllowed) core.ask(Wish.AllowBelt)
+        tell(Message.Unanswerable(why))
     }
 
     /** Says a line of a screen that explains itself; the newest takes the place of the one before. */
@@ -135,7 +145,11 @@ class Guide(
         tell(Message.Muted(on))
     }
 
-    private fun follow(settings: Settings, language: Language) {
+    /** Speaks as the wearer wants, until it is cancelled; while guidance is off too, for what screens explain. */
+    suspend fun follow(settings: Flow<Settings>) =
+        combine(settings, speech.language, ::Pair).collect { (wanted, language) -> adopt(wanted, language) }
+
+    private fun adopt(settings: Settings, language: Language) {
         speech.speakIn(settings.language)
         vibrates = settings.vibration
         wording = wordings(language)

@@ -1,7 +1,10 @@
 package org.echoway.app.guide
 
+import org.echoway.app.engine.NoStart
 import org.echoway.core.Cue
 import org.echoway.core.CueKind
+import org.echoway.core.Destination
+import org.echoway.core.Plan
 import org.echoway.core.Room
 import org.echoway.core.Urgency
 
@@ -42,6 +45,18 @@ sealed class Message(val rank: Rank, val topic: String, val validS: Double) {
 
     data object BeltNotAllowed : Message(Rank.LOST_OR_BROKEN, "belt", LASTING_S)
 
+    /** The wearer did not allow the belt's use, perhaps by mistake. */
+    data object BeltRefused : Message(Rank.LOST_OR_BROKEN, "belt", LASTING_S)
+
+    /** The belt has another number of sensors than was thought; the place is lost. */
+    data class BeltChanged(val sensors: Int) : Message(Rank.LOST_OR_BROKEN, "other belt", LASTING_S)
+
+    /** What will be said is not of where the wearer is. */
+    data object RecordedWalk : Message(Rank.LOST_OR_BROKEN, "recorded walk", LASTING_S)
+
+    /** Android had ended the app, and brings guidance back; where to is forgotten. */
+    data object Interrupted : Message(Rank.LOST_OR_BROKEN, "start", LASTING_S)
+
     data object RecordingOver : Message(Rank.LOST_OR_BROKEN, "belt", LASTING_S)
 
     data class SensorBlocked(val side: Side, val sensor: Int) : Message(Rank.LOST_OR_BROKEN, "sensor $sensor", LASTING_S)
@@ -55,7 +70,7 @@ sealed class Message(val rank: Rank, val topic: String, val validS: Double) {
 
     data object BatteryLow : Message(Rank.LOST_OR_BROKEN, "battery", LASTING_S)
 
-    data class CannotStart(val reason: String) : Message(Rank.LOST_OR_BROKEN, "start", LASTING_S)
+    data class CannotStart(val why: NoStart) : Message(Rank.LOST_OR_BROKEN, "start", LASTING_S)
 
     /** The wearer, or a hand in a pocket, ended guidance. */
     data object Stopped : Message(Rank.LOST_OR_BROKEN, "start", ROUTINE_S)
@@ -81,8 +96,14 @@ sealed class Message(val rank: Rank, val topic: String, val validS: Double) {
 
     data object LeadingStopped : Message(Rank.ASKED, "leading", ROUTINE_S)
 
-    /** The wearer is looked for anew; [place] is where they say that they stand, null when they do not know. */
-    data class StartedAgain(val place: String?) : Message(Rank.ASKED, "start again", ROUTINE_S)
+    /** Where the wearer came from is no longer known. */
+    data object WayBackLost : Message(Rank.LOST_OR_BROKEN, "way back", LASTING_S)
+
+    /** The wearer is looked for anew; [place] of [plan] is where they say that they stand, null when they do not know. */
+    data class StartedAgain(val plan: Plan, val place: Destination?) : Message(Rank.ASKED, "start again", ROUTINE_S)
+
+    /** Nobody can stand where they say that they do. */
+    data class CannotStandAt(val plan: Plan, val place: Destination?) : Message(Rank.ASKED, "start again", ROUTINE_S)
 
     /** What firefighter mode is not. */
     data object NotAPass : Message(Rank.ASKED, "firefighter", LASTING_S)
@@ -114,6 +135,9 @@ sealed class Message(val rank: Rank, val topic: String, val validS: Double) {
 /** Why "Where am I?" has no answer. */
 sealed interface NoAnswer {
     data class NoBelt(val lastRoom: Room?) : NoAnswer
+
+    /** A belt is plugged in that the wearer has not allowed to be used; they are asked once more. */
+    data object NotAllowed : NoAnswer
 
     data object NotRunning : NoAnswer
 }

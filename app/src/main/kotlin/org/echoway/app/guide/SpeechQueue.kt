@@ -96,7 +96,7 @@ class SpeechQueue(private val voice: Voice, private val clock: Clock, private va
     }
 
     private suspend fun CoroutineScope.speak(line: Line) {
-        val speaking = async { voice.speak(line.text) }
+        val speaking = async { voice.speak(line.text, line.message.sign) }
         when (awaitOrCut(speaking, line)) {
             Outcome.SPOKEN -> remember(line)
             Outcome.CUT_OFF -> if (line.message.rank <= Rank.ASKED) putBack(line)

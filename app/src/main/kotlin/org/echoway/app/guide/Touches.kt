@@ -10,10 +10,14 @@ internal val Message.touch: Touch?
     get() = when (this) {
         is Message.Told -> cue.touch
         Message.BeltLost -> Touch.BELT_LOST
+        is Message.BeltChanged -> Touch.UNSURE
         Message.BeltBack -> Touch.BELT_BACK
         Message.StillSoon, Message.StillAlarm -> Touch.MOVE_NOW
         else -> null
     }
+
+/** What tells a line from others on a phone that cannot speak: what is felt, and for danger always something. */
+internal val Message.sign: Touch? get() = touch ?: Touch.SOMETHING_AHEAD.takeIf { rank == Rank.DANGER }
 
 private val Cue.touch: Touch?
     get() = when (kind) {

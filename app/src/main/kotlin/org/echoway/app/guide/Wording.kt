@@ -5,6 +5,7 @@ import android.content.res.Resources
 import android.icu.text.RuleBasedNumberFormat
 import java.util.Locale
 import org.echoway.app.R
+import org.echoway.app.engine.NoStart
 import org.echoway.app.settings.inLanguage
 import org.echoway.core.Destination
 import org.echoway.core.DestinationKind
@@ -24,13 +25,18 @@ class Wording(private val resources: Resources) {
         Message.Stopped -> text(R.string.say_not_running)
         Message.BeltBack -> text(R.string.say_belt_back)
         Message.BeltNotAllowed -> text(R.string.say_belt_not_allowed)
+        Message.BeltRefused -> text(R.string.say_belt_refused)
+        is Message.BeltChanged ->
+            resources.getQuantityString(R.plurals.say_belt_changed, message.sensors, spelling.format(message.sensors.toLong()))
+        Message.RecordedWalk -> text(R.string.say_recorded_walk)
+        Message.Interrupted -> text(R.string.say_interrupted)
         Message.RecordingOver -> text(R.string.say_recording_over)
         is Message.SensorBlocked -> text(R.string.say_sensor_blocked, side(message.side))
         is Message.SensorClear -> text(R.string.say_sensor_clear, side(message.side))
         is Message.SensorsBlocked -> plural(R.plurals.say_sensors_blocked, message.count)
         is Message.RecordingStopped -> text(if (message.diskFull) R.string.say_phone_full else R.string.say_recording_stopped)
         Message.BatteryLow -> text(R.string.say_battery_low)
-        is Message.CannotStart -> text(R.string.say_cannot_start, message.reason)
+        is Message.CannotStart -> cannotStart(message.why)
         Message.NoVibration -> text(R.string.say_no_vibration)
         is Message.RoomDetail -> detail(message)
         is Message.Unanswerable -> noAnswer(message.why)
@@ -40,7 +46,11 @@ class Wording(private val resources: Resources) {
         is Message.CannotLead -> text(message.why.words)
         Message.LeadingBack -> text(R.string.say_leading_back)
         Message.LeadingStopped -> text(R.string.say_leading_stopped)
-        is Message.StartedAgain -> message.place?.let { text(R.string.say_started_again_at, it) } ?: text(R.string.say_started_again)
+        Message.WayBackLost -> text(R.string.say_way_back_lost)
+        is Message.StartedAgain ->
+            message.place?.let { text(R.string.say_started_again_at, name(message.plan, it)) } ?: text(R.string.say_started_again)
+        is Message.CannotStandAt ->
+            message.place?.let { text(R.string.say_cannot_stand_at, name(message.plan, it)) } ?: text(R.string.say_cannot_stand)
         Message.NotAPass -> text(R.string.not_a_pass)
         Message.WatchEnded -> text(R.string.watch_ended)
         Message.StillSoon -> text(R.string.still_soon)
@@ -48,6 +58,9 @@ class Wording(private val resources: Resources) {
         Message.StillCancelled -> text(R.string.still_cancelled)
         is Message.Explanation -> message.words
     }
+
+    /** "Cannot start. The floor plan is unusable." */
+    fun cannotStart(why: NoStart): String = text(R.string.say_cannot_start, text(why.words))
 
     /** "Room 2, corridor." */
     fun room(room: Room): String = "${name(room)}."
@@ -80,8 +93,16 @@ class Wording(private val resources: Resources) {
             text(R.string.say_belt_lost),
             why.lastRoom?.let { text(R.string.say_last_in, shortName(it)) },
         ).joinToString(" ")
+        NoAnswer.NotAllowed -> text(R.string.say_belt_not_allowed)
         NoAnswer.NotRunning -> text(R.string.say_not_running)
     }
+
+    private val NoStart.words
+        get() = when (this) {
+            NoStart.NO_BUILDING -> R.string.state_no_building
+            NoStart.BUILDING_UNUSABLE -> R.string.say_plan_unusable
+            NoStart.RECORDING_UNREADABLE -> R.string.say_recording_unreadable
+        }
 
     private val NoWay.words
         get() = when (this) {

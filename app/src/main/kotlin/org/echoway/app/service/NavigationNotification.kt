@@ -28,6 +28,8 @@ internal class NavigationNotification(private val service: Service, language: La
         manager.createNotificationChannel(NotificationChannel(CHANNEL, name, NotificationManager.IMPORTANCE_LOW))
     }
 
+    val noBuilding: String get() = resources.getString(R.string.state_no_building)
+
     fun text(state: NavigationState): String = words.of(state)
 
     fun show(text: String) = manager.notify(ID, build(text))

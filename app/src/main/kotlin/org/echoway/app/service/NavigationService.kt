@@ -14,15 +14,17 @@ import androidx.lifecycle.lifecycleScope
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.cancelAndJoin
 import kotlinx.coroutines.coroutineScope
+import kotlinx.coroutines.flow.Flow
+import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.flow.distinctUntilChanged
 import kotlinx.coroutines.flow.first
 import kotlinx.coroutines.flow.map
 import kotlinx.coroutines.launch
-import org.echoway.app.R
 import org.echoway.app.building.startAt
 import org.echoway.app.container
 import org.echoway.app.control.MediaControls
 import org.echoway.app.engine.NavigationState
+import org.echoway.app.engine.NoStart
 import org.echoway.app.guide.Ask
 import org.echoway.app.guide.Message
 import org.echoway.app.guide.hearsBelt
@@ -30,7 +32,6 @@ import org.echoway.app.recording.RecordingStatus
 import org.echoway.app.recording.RecordingSwitch
 import org.echoway.app.settings.Settings
 import org.echoway.app.settings.SourceKind
-import org.echoway.app.settings.inLanguage
 import org.echoway.core.Start
 
 /**
@@ -85,17 +86,17 @@ class NavigationService : LifecycleService() {
         launch { container.guide.run(states, container.navigator.events, container.settings.settings) }
         launch { container.lookout.run(states, container.settings.settings) }
         launch { buttons() }
-        launch { states.map(notification::text).distinctUntilChanged().collect(notification::show) }
+        launch { notify(states) }
         launch { states.collect { wakeLock.update(it is NavigationState.Running && it.hearsBelt) } }
         val building = settings.building?.let { container.buildings.find(it) }
         if (building == null) {
-            val problem = inLanguage(settings.language).getString(R.string.state_no_building)
-            notification.show(problem)
-            container.guide.tell(Message.CannotStart(problem))
+            notification.show(notification.noBuilding)
+            container.guide.tell(Message.CannotStart(NoStart.NO_BUILDING))
             return@coroutineScope
         }
         // A walk that is replayed begins anew, where it began.
         val walkedOn = restored && settings.source == SourceKind.USB
+        if (walkedOn) container.guide.tell(Message.Interrupted)
         val start = if (walkedOn) Start() else startAt(building.plan, settings.entrance)
         val recording = RecordingSwitch(container.recordings, building)
         // A walk that is replayed is not recorded again.
@@ -103,6 +104,13 @@ class NavigationService : LifecycleService() {
         launch { container.recordings.status.collect(::tellOfRecording) }
         container.navigator.run(building, start, container.beltSource(settings), container.motion, recording)
     }
+
+    /** Keeps the notification true, and in the language that is chosen now. */
+    private suspend fun notify(states: Flow<NavigationState>) =
+        container.settings.settings.map { it.language }.distinctUntilChanged().collectLatest { language ->
+            notification = NavigationNotification(this, language)
+            states.map(notification::text).distinctUntilChanged().collect(notification::show)
+        }
 
     /** Buttons of headsets, and in firefighter mode the volume keys, for as long as guidance runs. */
     private suspend fun buttons() = MediaControls(this, container.guide, container.clock, container.presence).use { buttons ->

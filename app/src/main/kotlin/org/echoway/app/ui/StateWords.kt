@@ -15,7 +15,7 @@ class StateWords(private val resources: Resources) {
 
     fun of(state: NavigationState): String = when (state) {
         NavigationState.Idle -> resources.getString(R.string.state_off)
-        is NavigationState.Failed -> resources.getString(R.string.state_failed, state.reason)
+        is NavigationState.Failed -> wording.cannotStart(state.why)
         is NavigationState.Running -> running(state)
     }
 
@@ -23,6 +23,7 @@ class StateWords(private val resources: Resources) {
         val room = state.building.plan.rooms.getOrNull(state.estimate.room)
         return when {
             state.line == Line.PERMISSION_MISSING -> resources.getString(R.string.state_permission)
+            state.line == Line.REFUSED -> resources.getString(R.string.say_belt_refused)
             state.line == Line.ENDED -> resources.getString(R.string.state_ended)
             !state.hearsBelt && (state.belt.link == BeltLink.LOST || state.line == Line.GONE) -> resources.getString(R.string.state_belt_lost)
             !state.hearsBelt -> resources.getString(R.string.state_waiting)

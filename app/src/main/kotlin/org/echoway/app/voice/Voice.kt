@@ -1,6 +1,7 @@
 package org.echoway.app.voice
 
 import kotlinx.coroutines.flow.StateFlow
+import org.echoway.app.touch.Touch
 import org.echoway.core.Language
 
 /** What became of a line. */
@@ -10,7 +11,7 @@ enum class Outcome {
     /** Another sound took over half way through. */
     CUT_OFF,
 
-    /** Not now: a call is on, or another app keeps the audio. */
+    /** Not now: a call is on, another app keeps the audio, or the engine failed. */
     REFUSED,
 }
 
@@ -21,7 +22,7 @@ enum class VoiceStatus {
     /** Speaks English, because the engine does not know the wanted language or there are no words in it. */
     OTHER_LANGUAGE,
 
-    /** No speech engine; lines are tones and touch. */
+    /** No speech engine that answers; lines are tones and touch. */
     NO_ENGINE,
 }
 
@@ -35,6 +36,10 @@ interface Voice {
     /** Speaks a language from now on if it can; null for the phone's own. */
     fun speakIn(language: Language?)
 
-    /** Returns when the line has been spoken or given up; cancelling it silences it at once. */
-    suspend fun speak(text: String): Outcome
+    /**
+     * Returns when the line has been spoken or given up; cancelling it silences it at once.
+     *
+     * @param sign what tells it from others where it cannot be spoken; null for what is not urgent
+     */
+    suspend fun speak(text: String, sign: Touch? = null): Outcome
 }

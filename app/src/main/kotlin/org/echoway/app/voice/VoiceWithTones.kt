@@ -1,30 +1,26 @@
 package org.echoway.app.voice
 
-import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.StateFlow
-import kotlinx.coroutines.flow.first
+import org.echoway.app.touch.Touch
 import org.echoway.core.Language
 
-/** A sound that stands for a line on a phone that cannot speak. */
+/** Sounds that stand for a line on a phone that cannot speak. */
 fun interface Tones {
-    fun play()
+    /** Sounds the rhythm of [sign], or one tone for a line that has none, and returns when it is over. */
+    suspend fun play(sign: Touch?)
 }
 
-/** Speaks where the phone can; otherwise a tone says that there is a line to read on the screen. */
+/** Speaks where the phone can; otherwise tones tell what is urgent, and that there is a line to read on the screen. */
 class VoiceWithTones(private val speech: Voice, private val tones: Tones) : Voice {
     override val status: StateFlow<VoiceStatus> get() = speech.status
     override val language: StateFlow<Language> get() = speech.language
 
     override fun speakIn(language: Language?) = speech.speakIn(language)
 
-    override suspend fun speak(text: String): Outcome {
-        if (status.first { it != VoiceStatus.STARTING } != VoiceStatus.NO_ENGINE) return speech.speak(text)
-        tones.play()
-        delay(TONE_MS)
+    override suspend fun speak(text: String, sign: Touch?): Outcome {
+        val outcome = speech.speak(text, sign)
+        if (outcome != Outcome.REFUSED || status.value != VoiceStatus.NO_ENGINE) return outcome
+        tones.play(sign)
         return Outcome.SPOKEN
-    }
-
-    private companion object {
-        const val TONE_MS = 600L
     }
 }

@@ -4,6 +4,7 @@ import kotlin.coroutines.cancellation.CancellationException
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.MutableStateFlow
 import org.echoway.app.Clock
+import org.echoway.app.touch.Touch
 import org.echoway.app.voice.Outcome
 import org.echoway.app.voice.Voice
 import org.echoway.app.voice.VoiceStatus
@@ -25,7 +26,7 @@ class RecordingVoice(private val clock: Clock) : Voice {
     /** What becomes of lines while the audio is not to be had. */
     var refuse = false
 
-    override suspend fun speak(text: String): Outcome {
+    override suspend fun speak(text: String, sign: Touch?): Outcome {
         if (refuse) return Outcome.REFUSED
         val start = clock.nowS()
         try {

@@ -11,6 +11,13 @@ class ScriptedBelt(override val bringsMotion: Boolean = true) : BeltSource {
     private val channel = Channel<BeltEvent>(Channel.UNLIMITED)
     override val events: Flow<BeltEvent> = channel.consumeAsFlow()
 
+    var askedAgain = 0
+        private set
+
+    override fun askAgain() {
+        askedAgain++
+    }
+
     fun send(event: BeltEvent) {
         channel.trySend(event)
     }

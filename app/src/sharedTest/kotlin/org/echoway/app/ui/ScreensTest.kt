@@ -76,6 +76,19 @@ class ScreensTest {
         rule.onNodeWithText("This phone cannot speak", substring = true).assertIsDisplayed()
     }
 
+    @Test fun whatCouldNotBeginCanBeTriedAgain() {
+        live(LiveUiState.Failed("Cannot start. The floor plan is unusable.", "building.cfg:3: no such room"))
+        rule.onNodeWithText("building.cfg:3: no such room").assertIsDisplayed()
+        rule.onNodeWithText("Start").performClick()
+        rule.onNodeWithText("Setup").performClick()
+        assertEquals(listOf("start", "setup"), done)
+    }
+
+    @Test fun withoutAVoiceTheScreenSaysSoBeforeTheStart() {
+        live(LiveUiState.Off("Sample", SamplePlan.plan, voiceMissing = true))
+        rule.onNodeWithText("This phone cannot speak", substring = true).assertIsDisplayed()
+    }
+
     @Test fun withoutABuildingThereIsOneThingToDo() {
         live(LiveUiState.NeedsSetup)
         rule.onNodeWithText("Choose the building you are in.").assertIsDisplayed()
@@ -91,7 +104,7 @@ class ScreensTest {
 
     private fun ready(building: Boolean) = SetupUiState.Ready(
         buildings = listOf(Option("sample", "Sample", building)),
-        entrances = if (building) listOf(Option(null, "I do not know", true), Option("Main", "Main", false)) else emptyList(),
+        entrances = if (building) listOf(Option(null, "", true), Option("Main", "Main", false)) else emptyList(),
         sources = SourceKind.entries.map { SourceOption(it, it == SourceKind.USB, it != SourceKind.RECORDING) },
         recordingProblem = null,
     )

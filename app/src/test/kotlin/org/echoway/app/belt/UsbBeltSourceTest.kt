@@ -4,8 +4,10 @@ import app.cash.turbine.test
 import java.io.IOException
 import kotlinx.coroutines.channels.Channel
 import kotlinx.coroutines.flow.Flow
+import kotlinx.coroutines.flow.MutableSharedFlow
 import kotlinx.coroutines.flow.MutableStateFlow
 import kotlinx.coroutines.flow.map
+import kotlinx.coroutines.flow.merge
 import kotlinx.coroutines.flow.receiveAsFlow
 import kotlinx.coroutines.test.runTest
 import org.echoway.app.testing.VirtualClock
@@ -17,7 +19,10 @@ class UsbBeltSourceTest {
     /** A port into which the test plugs belts. */
     private class Port : UsbBus {
         private val plugged = MutableStateFlow(0 to null as Plug?)
-        override val changes: Flow<Unit> = plugged.map {}
+        private val refusals = MutableSharedFlow<UsbChange>(extraBufferCapacity = 1)
+        override val changes: Flow<UsbChange> = merge(plugged.map { UsbChange.LOOK }, refusals)
+
+        fun refuse() = refusals.tryEmit(UsbChange.REFUSED)
 
         override fun belt() = plugged.value.second
 
@@ -95,6 +100,25 @@ class UsbBeltSourceTest {
         }
     }
 
+    @Test fun whoRefusedByMistakeIsToldAndAskedAgainWhenTheyWishForIt() = runTest {
+        val source = UsbBeltSource(port, VirtualClock(testScheduler))
+        source.events.test {
+            val belt = Plug("a", permitted = false)
+            port.plug(belt)
+            assertEquals(BeltEvent.PermissionMissing, awaitItem())
+            port.refuse()
+            assertEquals(BeltEvent.PermissionRefused, awaitItem())
+            assertEquals(1, belt.asked)
+            source.askAgain()
+            assertEquals(BeltEvent.PermissionMissing, awaitItem())
+            assertEquals(2, belt.asked)
+            belt.permitted = true
+            port.plug(belt)
+            assertEquals(BeltEvent.Attached, awaitItem())
+            cancelAndIgnoreRemainingEvents()
+        }
+    }
+
     @Test fun aLineThatCannotBeOpenedIsTriedAgain() = runTest {
         var tries = 0
         val belt = object : UsbBelt {
@@ -109,7 +133,7 @@ class UsbBeltSourceTest {
             }
         }
         val bus = object : UsbBus {
-            override val changes: Flow<Unit> = MutableStateFlow(Unit)
+            override val changes: Flow<UsbChange> = MutableStateFlow(UsbChange.LOOK)
 
             override fun belt() = belt
         }

@@ -8,6 +8,7 @@ import kotlinx.coroutines.test.advanceTimeBy
 import kotlinx.coroutines.test.runCurrent
 import kotlinx.coroutines.test.runTest
 import org.echoway.app.engine.NavigationState
+import org.echoway.app.engine.NoStart
 import org.echoway.app.guide.Message
 import org.echoway.app.settings.Settings
 import org.echoway.app.testing.MemorySettings
@@ -109,6 +110,15 @@ class StillnessWatchTest {
         assertEquals("who relied on it is told", Message.WatchEnded, told.last().second)
         wait(120.0)
         assertFalse(siren.sounding)
+    }
+
+    /** Nobody's movements are seen then: the alarm would sound for whoever walks. */
+    @Test fun guidanceThatFailsEndsTheWatchAndThatIsSaid() = watching {
+        wait(5.0)
+        states.value = NavigationState.Failed(NoStart.BUILDING_UNUSABLE, "")
+        wait(60.0)
+        assertFalse(siren.sounding)
+        assertEquals(listOf(Message.NotAPass, Message.WatchEnded), told.map { it.second })
     }
 
     @Test fun neverMeansNever() = watching(Settings(firefighter = true, notMovedAlertS = 0)) {

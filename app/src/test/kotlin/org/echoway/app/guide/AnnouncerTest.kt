@@ -3,6 +3,7 @@ package org.echoway.app.guide
 import org.echoway.app.engine.GuidanceEvent
 import org.echoway.app.engine.Line
 import org.echoway.app.engine.NavigationState
+import org.echoway.app.engine.NoStart
 import org.echoway.app.engine.Wish
 import org.echoway.app.testing.SampleCues
 import org.echoway.app.testing.SamplePlan
@@ -12,6 +13,7 @@ import org.echoway.core.CueKind
 import org.echoway.core.Destination
 import org.echoway.core.DestinationKind
 import org.echoway.core.Estimate
+import org.echoway.core.Start
 import org.echoway.core.TrackState
 import org.junit.Assert.assertEquals
 import org.junit.Test
@@ -92,6 +94,33 @@ class AnnouncerTest {
         assertEquals(listOf(Message.NothingToRepeat), refused(Wish.Repeat))
     }
 
+    @Test fun whatIsGrantedIsSaidWhereTheCoreDoesNotAnswerByItself() {
+        startInOffice()
+        val exit = Destination(DestinationKind.EXIT, 0)
+        val granted = { wish: Wish -> announcer.onEvent(GuidanceEvent.Granted(wish)) }
+        assertEquals(listOf(Message.LeadingBack), granted(Wish.BackTrack))
+        assertEquals(listOf(Message.LeadingStopped), granted(Wish.StopLeading))
+        assertEquals(listOf(Message.StartedAgain(SamplePlan.plan, exit)), granted(Wish.StandAt(Start(room = 0), exit)))
+        assertEquals(emptyList<Message>(), granted(Wish.LeadTo(exit)) + granted(Wish.WhereAmI) + granted(Wish.Repeat))
+        assertEquals(
+            listOf(Message.CannotStandAt(SamplePlan.plan, exit)),
+            announcer.onEvent(GuidanceEvent.Refused(Wish.StandAt(Start(room = 0), exit), "for a log")),
+        )
+        told(inOffice, 1.0, line = Line.GONE)
+        val noBelt = Message.Unanswerable(NoAnswer.NoBelt(SamplePlan.office))
+        assertEquals("the way back is told once the belt is heard", listOf(Message.LeadingBack, noBelt), granted(Wish.BackTrack))
+    }
+
+    @Test fun aBeltThatWasRefusedIsToldAndWhoAsksIsAskedAgain() {
+        assertEquals(listOf(Message.BeltNotAllowed), told(inOffice, 5.0, BeltHealth.NONE, Line.PERMISSION_MISSING))
+        assertEquals(NoAnswer.NotAllowed, announcer.withoutAnswer())
+        assertEquals(listOf(Message.BeltRefused), told(inOffice, 5.0, BeltHealth.NONE, Line.REFUSED))
+        assertEquals(NoAnswer.NotAllowed, announcer.withoutAnswer())
+        assertEquals("the answer said it", emptyList<Message>(), told(inOffice, 5.0, BeltHealth.NONE, Line.PERMISSION_MISSING))
+        assertEquals("twice refused is told twice", listOf(Message.BeltRefused), told(inOffice, 5.0, BeltHealth.NONE, Line.REFUSED))
+        assertEquals(listOf(Message.BeltBack), told(inOffice, 5.0))
+    }
+
     @Test fun theCoreAnswersWhileTheBeltIsHeard() {
         assertEquals(NoAnswer.NotRunning, announcer.withoutAnswer())
         startInOffice()
@@ -103,8 +132,8 @@ class AnnouncerTest {
     }
 
     @Test fun aBuildingThatCannotBeOpenedIsToldOnce() {
-        val failed = NavigationState.Failed("building.cfg:3: no such room")
-        assertEquals(listOf(Message.CannotStart(failed.reason)), announcer.onState(failed))
+        val failed = NavigationState.Failed(NoStart.BUILDING_UNUSABLE, "building.cfg:3: no such room")
+        assertEquals(listOf(Message.CannotStart(NoStart.BUILDING_UNUSABLE)), announcer.onState(failed))
         assertEquals(emptyList<Message>(), announcer.onState(failed))
     }
 }

@@ -197,6 +197,7 @@ class GuideTest {
         guide.ask(Ask.WAY_BACK)
         guide.ask(Ask.STOP_LEADING)
         assertEquals(listOf(Wish.WhereAmI, Wish.LeadTo(Destination.WAY_OUT), Wish.BackTrack, Wish.StopLeading), core.wishes)
+        happens(*core.wishes.map(GuidanceEvent::Granted).toTypedArray())
         assertEquals("the newest word on leading is the one that counts", listOf("No longer leading you."), heard())
     }
 
@@ -215,6 +216,42 @@ class GuideTest {
         guide.ask(Ask.WAY_OUT)
         assertEquals(emptyList<Wish>(), core.wishes)
         assertEquals("Guidance is off.", heard().first())
+    }
+
+    @Test fun nothingIsConfirmedThatIsThenRefused() = walking(Settings(entrance = "Main entrance")) {
+        guide.ask(Ask.WAY_BACK)
+        happens(GuidanceEvent.Refused(core.wishes.last(), ""))
+        assertEquals(listOf("No way back yet."), heard())
+        guide.ask(Ask.START_AGAIN)
+        happens(GuidanceEvent.Refused(core.wishes.last(), ""))
+        assertEquals(listOf("Cannot start at Main entrance. Choose another place."), heard())
+    }
+
+    @Test fun aBeltRefusedByMistakeIsAllowedBySayingSo() = walking {
+        state { it.copy(line = Line.REFUSED, belt = SamplePlan.health(BeltLink.ABSENT)) }
+        assertEquals(listOf("Belt refused. “Where am I?” asks again."), heard())
+        guide.ask(Ask.WHERE_AM_I)
+        assertEquals(listOf<Wish>(Wish.AllowBelt), core.wishes)
+        assertEquals(listOf("Belt found. Allow its use on screen."), heard())
+        guide.ask(Ask.WAY_OUT)
+        assertEquals("who wants out is asked too", listOf(Wish.LeadTo(Destination.WAY_OUT), Wish.AllowBelt), core.wishes.drop(1))
+    }
+
+    @Test fun aRecordedWalkIsSaidToBeNoneOfOnesOwn() = runTest {
+        Situation(this, Settings()).run {
+            state { it.copy(live = false) }
+            assertEquals(listOf("Recorded walk. Not where you really are.", "Belt connected."), heard())
+            state { it.copy(live = false, timeS = 20.0) }
+            assertEquals(emptyList<String>(), heard())
+        }
+    }
+
+    @Test fun aBeltWithOtherSensorsAndAWayBackThatIsLostAreSaidThoughMuted() = walking {
+        guide.ask(Ask.MUTE)
+        heard()
+        happens(GuidanceEvent.BeltChanged(12), GuidanceEvent.WayBackLost)
+        assertEquals(listOf("Belt has twelve sensors. Finding where you are.", "Way back lost. Ask for the way out."), heard())
+        assertEquals(Touch.UNSURE, buzzer.felt.last())
     }
 
     @Test fun repeatSaysTheLastLineButNeverAnOldInstruction() = walking {
@@ -248,16 +285,19 @@ class GuideTest {
 
     @Test fun whoSaysWhereTheyStandIsLookedForFromThere() = walking(Settings(entrance = "Main entrance")) {
         guide.ask(Ask.START_AGAIN)
-        assertEquals(Wish.StandAt(Start(room = 0)), core.wishes.last())
+        assertEquals(Wish.StandAt(Start(room = 0), Destination(DestinationKind.EXIT, 0)), core.wishes.last())
+        happens(GuidanceEvent.Granted(core.wishes.last()))
         assertEquals(listOf("Starting again: Main entrance."), heard())
         guide.standAt(Destination(DestinationKind.ROOM, 1))
-        assertEquals(Wish.StandAt(Start(room = 1)), core.wishes.last())
+        assertEquals(Wish.StandAt(Start(room = 1), Destination(DestinationKind.ROOM, 1)), core.wishes.last())
+        happens(GuidanceEvent.Granted(core.wishes.last()))
         assertEquals(listOf("Starting again: Room 4, Seminar room."), heard())
     }
 
     @Test fun whoDoesNotKnowWhereTheyStandIsLookedForEverywhere() = walking {
         guide.ask(Ask.START_AGAIN)
         assertEquals(Wish.StandAt(Start()), core.wishes.last())
+        happens(GuidanceEvent.Granted(core.wishes.last()))
         assertEquals(listOf("Starting again."), heard())
     }
 

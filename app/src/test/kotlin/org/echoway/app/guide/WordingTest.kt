@@ -3,6 +3,7 @@ package org.echoway.app.guide
 import android.content.Context
 import androidx.test.core.app.ApplicationProvider
 import androidx.test.ext.junit.runners.AndroidJUnit4
+import org.echoway.app.engine.NoStart
 import org.echoway.app.testing.SampleCues
 import org.echoway.app.testing.SamplePlan
 import org.echoway.core.CueKind
@@ -29,6 +30,10 @@ class WordingTest {
         Message.WaitingForBelt to "Waiting for the belt.",
         Message.Stopped to "Guidance is off.",
         Message.BeltNotAllowed to "Belt found. Allow its use on screen.",
+        Message.BeltRefused to "Belt refused. “Where am I?” asks again.",
+        Message.BeltChanged(12) to "Belt has twelve sensors. Finding where you are.",
+        Message.RecordedWalk to "Recorded walk. Not where you really are.",
+        Message.Interrupted to "Guidance was interrupted. Ask the way again.",
         Message.RecordingOver to "The recorded walk is over.",
         Message.SensorBlocked(Side.FRONT_LEFT, 1) to "Front left sensor blocked.",
         Message.SensorClear(Side.BACK, 7) to "Back sensor clear.",
@@ -36,12 +41,16 @@ class WordingTest {
         Message.RecordingStopped(diskFull = true) to "Recording stopped. The phone is full.",
         Message.BatteryLow to "Belt battery low.",
         Message.NoVibration to "This phone cannot vibrate.",
+        Message.CannotStart(NoStart.NO_BUILDING) to "Cannot start. Choose a building in the app.",
+        Message.CannotStart(NoStart.BUILDING_UNUSABLE) to "Cannot start. The floor plan is unusable.",
+        Message.CannotStart(NoStart.RECORDING_UNREADABLE) to "Cannot start. The recording cannot be played.",
         Message.RoomDetail(1, emptyList()) to "One door.",
         Message.RoomDetail(3, listOf("Lectern")) to "Three doors. Lectern.",
         Message.RoomDetail(0, listOf("Lectern", "Piano")) to "Lectern, Piano.",
         Message.Unanswerable(NoAnswer.NotRunning) to "Guidance is off.",
         Message.Unanswerable(NoAnswer.NoBelt(SamplePlan.office)) to "Belt disconnected. You were in Room 1.",
         Message.Unanswerable(NoAnswer.NoBelt(null)) to "Belt disconnected.",
+        Message.Unanswerable(NoAnswer.NotAllowed) to "Belt found. Allow its use on screen.",
         Message.Again("Room 2, corridor.") to "Room 2, corridor.",
         Message.NothingToRepeat to "Nothing to repeat.",
         Message.Muted(true) to "Muted. Danger is still spoken.",
@@ -52,6 +61,11 @@ class WordingTest {
         Message.CannotLead(NoWay.NOT_RUNNING) to "Guidance is off.",
         Message.LeadingBack to "Back the way you came.",
         Message.LeadingStopped to "No longer leading you.",
+        Message.WayBackLost to "Way back lost. Ask for the way out.",
+        Message.StartedAgain(SamplePlan.plan, Destination(DestinationKind.EXIT, 0)) to "Starting again: Main entrance.",
+        Message.StartedAgain(SamplePlan.plan, null) to "Starting again.",
+        Message.CannotStandAt(SamplePlan.plan, Destination(DestinationKind.EXIT, 0)) to "Cannot start at Main entrance. Choose another place.",
+        Message.CannotStandAt(SamplePlan.plan, null) to "Cannot start there. Choose another place.",
     )
 
     @Test fun roomsAreCalledAsTheCoreCallsThem() {

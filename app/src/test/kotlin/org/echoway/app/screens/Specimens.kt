@@ -68,6 +68,7 @@ private fun liveSpecimens() = listOf(
     live("live-tracking", USUAL + Variant.SMOKE + Variant.GERMAN_LARGE_TEXT, ::tracking),
     live("live-no-voice") { tracking().copy(words = "Belt disconnected.", lastLine = "Belt disconnected.", wearer = null, voiceMissing = true) },
     live("live-off") { LiveUiState.Off(torgersen.name, torgersen) },
+    live("live-failed") { LiveUiState.Failed("Cannot start. The floor plan is unusable.", "building.cfg:3: there is no room 12") },
     live("live-needs-setup") { LiveUiState.NeedsSetup },
 )
 
@@ -80,7 +81,7 @@ private fun choosingSpecimens() = listOf(
 
 private fun setup() = SetupUiState.Ready(
     buildings = listOf(Option("a", "Torgersen laboratory", true), Option("b", "Similar rooms", false)),
-    entrances = listOf(Option(null, "I do not know", false), Option("m", "Main entrance", true), Option("e", "East stairs", false)),
+    entrances = listOf(Option(null, "", false), Option("m", "Main entrance", true), Option("e", "East stairs", false)),
     sources = SourceKind.entries.map { SourceOption(it, it == SourceKind.USB, it != SourceKind.RECORDING) },
     recordingProblem = null,
 )

@@ -47,6 +47,7 @@ internal fun wearerSpecimens() = listOf(
     firefighter("firefighter", setOf(Variant.LIGHT, Variant.LARGE_TEXT, Variant.GERMAN_LARGE_TEXT, Variant.TABLET), running = true, Stillness.MOVING),
     firefighter("firefighter-alarm", setOf(Variant.LIGHT, Variant.GERMAN_LARGE_TEXT), running = true, Stillness.ALARM),
     firefighter("firefighter-off", LIGHT_ONLY, running = false, Stillness.MOVING),
+    firefighter("firefighter-no-voice", setOf(Variant.LIGHT, Variant.GERMAN_LARGE_TEXT), running = true, Stillness.MOVING, voiceMissing = true),
     firstRun("first-run-belt", USUAL, FirstRunStep.BELT),
     firstRun("first-run-front", LIGHT_ONLY, FirstRunStep.FRONT),
     firstRun("first-run-practice", setOf(Variant.LIGHT, Variant.GERMAN_LARGE_TEXT), FirstRunStep.PRACTICE),
@@ -55,8 +56,8 @@ internal fun wearerSpecimens() = listOf(
 private fun group(title: String, kind: DestinationKind, vararg names: String) =
     DestinationGroup(title, names.mapIndexed { i, name -> DestinationOption(Destination(kind, i), name, name.startsWith("Lectern")) })
 
-private fun firefighter(name: String, variants: Set<Variant>, running: Boolean, stillness: Stillness) = Specimen(name, variants) {
-    val state = FirefighterUiState("Room 4, Seminar room.", "Go straight, twenty feet.".takeIf { running }.orEmpty(), running, stillness)
+private fun firefighter(name: String, variants: Set<Variant>, running: Boolean, stillness: Stillness, voiceMissing: Boolean = false) = Specimen(name, variants) {
+    val state = FirefighterUiState("Room 4, Seminar room.", "Go straight, twenty feet.".takeIf { running }.orEmpty(), running, stillness, voiceMissing)
     FirefighterScreen(state, FirefighterActions({}, {}, {}, {}))
 }
 

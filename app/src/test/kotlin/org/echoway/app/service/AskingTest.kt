@@ -17,6 +17,8 @@ import org.echoway.app.control.WhereAmITile
 import org.echoway.app.control.openSessions
 import org.echoway.app.control.press
 import org.echoway.app.engine.NavigationState
+import org.echoway.app.guide.Ask
+import org.echoway.core.Language
 import org.junit.After
 import org.junit.Assert.assertEquals
 import org.junit.Before
@@ -138,6 +140,16 @@ class AskingTest {
             chord(KEYCODE_VOLUME_UP, KEYCODE_VOLUME_DOWN)
         }
         assertEquals("Muted. Danger is still spoken.", twice.last())
+    }
+
+    /** The chosen language is not the phone's, and nothing has been said in it yet. */
+    @Test fun whatIsAskedWhileGuidanceIsOffIsAnsweredInTheChosenLanguage() {
+        service.get().onStartCommand(NavigationService.intent(app, NavigationService.ACTION_STOP), 0, 2)
+        settle(5_000)
+        container.settings.settings.value = container.settings.settings.value.copy(language = Language.FRENCH)
+        settle(1_000)
+        assertEquals(listOf("Le guidage est arrêté."), heard { container.guide.ask(Ask.WHERE_AM_I) })
+        assertEquals(listOf("Le guidage est arrêté."), heard { container.guide.ask(Ask.WAY_OUT) })
     }
 
     @Test fun byTheTile() {

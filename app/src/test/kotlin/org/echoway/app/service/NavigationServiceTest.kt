@@ -119,6 +119,14 @@ class NavigationServiceTest {
         assertEquals(Line.PERMISSION_MISSING, awaitRunning().line)
         assertEquals("The belt waits for your permission.", text())
         assertTrue("Belt found. Allow its use on screen." in container.voice.words)
+        container.belt.send(BeltEvent.PermissionRefused)
+        settle(6_000)
+        assertEquals("Belt refused. “Where am I?” asks again.", container.voice.words.last())
+        assertEquals("Belt refused. “Where am I?” asks again.", text())
+        command(NavigationService.actionOf(Ask.WHERE_AM_I))
+        settle(6_000)
+        assertEquals("Belt found. Allow its use on screen.", container.voice.words.last())
+        assertEquals(1, container.belt.askedAgain)
     }
 
     @Test fun whereAmIIsAnsweredFromTheNotification() {
@@ -182,10 +190,13 @@ class NavigationServiceTest {
         awaitRunning()
     }
 
-    @Test fun goesOnAfterTheSystemKilledIt() {
-        container.settings.settings.value = container.settings.settings.value.copy(navigating = true)
+    @Test fun goesOnAfterTheSystemKilledItAndSaysThatItMustBeAskedTheWayAgain() {
+        container.settings.settings.value = container.settings.settings.value.copy(navigating = true, source = SourceKind.USB)
+        container.belt = ScriptedBelt(bringsMotion = false)
         command(action = null)
         awaitRunning()
+        settle(5_000)
+        assertEquals("Guidance was interrupted. Ask the way again.", container.voice.words.first())
     }
 
     @Test fun whoeverWalkedOnBeforeTheSystemKilledItIsNotTakenToBeAtTheEntrance() {
@@ -244,6 +255,15 @@ class NavigationServiceTest {
         settle(1_000)
         assertTrue(shadowOf(service.get()).isStoppedBySelf)
         assertEquals(NavigationState.Idle, container.navigator.state.value)
+    }
+
+    @Test fun theNotificationFollowsTheLanguage() {
+        command(NavigationService.ACTION_START)
+        awaitRunning()
+        settle()
+        container.settings.settings.value = container.settings.settings.value.copy(language = Language.GERMAN)
+        settle()
+        assertEquals("Warten auf den Gürtel.", text())
     }
 
     @Test fun theNotificationIsInTheChosenLanguage() {

@@ -5,6 +5,7 @@ import android.content.Context
 import java.io.File
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.MainScope
+import kotlinx.coroutines.launch
 import org.echoway.app.AppContainer
 import org.echoway.app.Clock
 import org.echoway.app.ContainerOwner
@@ -41,14 +42,16 @@ class TestContainer(context: Context) : AppContainer {
     override val voice = RecordingVoice(clock)
     override val buzzer = RecordingBuzzer()
     override val speech = SpeechQueue(voice, clock, MainScope())
-    override val guide = Guide({ Wording.of(context, it) }, speech, buzzer, navigator, clock)
+    override val guide = Guide({ Wording.of(context, it) }, speech, buzzer, navigator, clock).also { guide ->
+        MainScope().launch { guide.follow(settings.settings) }
+    }
     val siren = RecordingSiren()
     override val lookout = Lookout(siren, clock, guide::tell)
     override val presence = Presence {}
     override val motion = MotionSource { emptyFlow() }
     override val recordings = Recordings(File(context.filesDir, "recordings"))
     override val cacheDir: File = context.cacheDir
-    var belt = ScriptedBelt()
+    var belt = ScriptedBelt(bringsMotion = false)
 
     override fun hasSimulatedWalk(building: String) = building == "torgersen-lab"
 

@@ -36,6 +36,7 @@ import org.echoway.app.settings.SourceKind
 import org.echoway.app.touch.Touch
 import org.echoway.core.Destination
 import org.echoway.core.DestinationKind
+import org.echoway.core.Language
 import org.echoway.core.Start
 import org.junit.After
 import org.junit.Assert.assertEquals
@@ -164,6 +165,15 @@ class WearerScreensTest {
         assertTrue("the voice stops with it", !container.voice.heard.last().whole)
     }
 
+    @Test fun theFirstRunThatIsLeftByBackFallsSilent() {
+        launch()
+        press("Menu", "Introduction")
+        settle(1_000)
+        Espresso.pressBack()
+        settle(2_000)
+        assertTrue("${container.voice.heard}", !container.voice.heard.single().whole)
+    }
+
     @Test fun aScreenReaderSpeaksFirst() {
         shadowOf(app.getSystemService(AccessibilityManager::class.java)).setTouchExplorationEnabled(true)
         val before = container.clock.nowS()
@@ -226,6 +236,13 @@ class WearerScreensTest {
         rule.onNodeWithText("Start guidance first.").assertIsDisplayed()
     }
 
+    @Test fun theEntranceThatIsNotKnownIsReadInTheChosenLanguage() {
+        launch()
+        settings.value = settings.value.copy(language = Language.FRENCH)
+        press("Menu", "Configuration")
+        awaitText("Je ne sais pas")
+    }
+
     @Test fun everySignalIsFeltAndNamed() {
         launch()
         press("Menu", "Practise the vibrations", "Left")
@@ -257,6 +274,15 @@ class WearerScreensTest {
         settle()
         assertTrue(!settings.value.firefighter)
         assertOn("Menu")
+    }
+
+    @Test fun firefighterModeIsLeftThoughThePhoneIsSlowToWriteItDown() {
+        launch()
+        press("Menu", "Firefighter mode")
+        container.settings.slowMs = 2_000
+        press("Leave firefighter mode")
+        settle(5_000)
+        assertTrue(!settings.value.firefighter)
     }
 
     @Test fun firefighterModeThatTheAppBeganWithIsLeftForTheLiveScreen() {

@@ -14,10 +14,13 @@ import kotlinx.coroutines.Deferred
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.ExperimentalCoroutinesApi
 import kotlinx.coroutines.async
+import org.echoway.app.touch.Touch
 import org.echoway.core.Language
 import org.junit.After
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertFalse
+import org.junit.Assert.assertNotSame
+import org.junit.Assert.assertSame
 import org.junit.Assert.assertTrue
 import org.junit.Test
 import org.junit.runner.RunWith
@@ -40,8 +43,8 @@ class TtsVoiceTest {
 
     private fun engine() = shadowOf(ShadowTextToSpeech.getLastTextToSpeechInstance())
 
-    private fun saying(voice: Voice, text: String): Deferred<Outcome> =
-        CoroutineScope(Dispatchers.Main.immediate).async(start = CoroutineStart.UNDISPATCHED) { voice.speak(text) }
+    private fun saying(voice: Voice, text: String, sign: Touch? = null): Deferred<Outcome> =
+        CoroutineScope(Dispatchers.Main.immediate).async(start = CoroutineStart.UNDISPATCHED) { voice.speak(text, sign) }
 
     private fun done(line: Deferred<Outcome>): Outcome {
         ShadowLooper.idleMainLooper()
@@ -82,13 +85,14 @@ class TtsVoiceTest {
 
     @Test fun anEngineThatDiesHalfWayThroughHoldsUpNoOtherLine() {
         val voice = voice()
-        ShadowTextToSpeech.getLastTextToSpeechInstance().setOnUtteranceProgressListener(Unheard)
+        val dead = ShadowTextToSpeech.getLastTextToSpeechInstance()
+        dead.setOnUtteranceProgressListener(Unheard)
         val line = saying(voice, "Turn left.")
         ShadowLooper.idleMainLooper(5, TimeUnit.SECONDS)
         assertFalse("it may yet speak", line.isCompleted)
         ShadowLooper.idleMainLooper(30, TimeUnit.SECONDS)
         assertEquals(Outcome.REFUSED, done(line))
-        assertTrue(engine().isStopped)
+        assertTrue(shadowOf(dead).isStopped)
     }
 
     /** Takes the engine's word, and does not pass it on. */
@@ -137,15 +141,104 @@ class TtsVoiceTest {
         assertEquals("AT", engine().currentLanguage.country)
     }
 
-    @Test fun withoutAnEngineAToneSoundsInstead() {
-        val speech = TtsVoice(context, PhoneAudioFocus(audio)) { Locale.US }
+    private val signs = mutableListOf<Touch?>()
+
+    /** [speech], with tones that only remember what they stood for. */
+    private fun withTones(speech: Voice) = VoiceWithTones(speech) { signs += it }
+
+    private fun unanswered() = TtsVoice(context, PhoneAudioFocus(audio)) { Locale.US }
+
+    @Test fun withoutAnEngineTonesSoundInstead() {
+        val speech = unanswered()
         engine().onInitListener.onInit(TextToSpeech.ERROR)
         assertEquals(VoiceStatus.NO_ENGINE, speech.status.value)
-        var tones = 0
-        val line = saying(VoiceWithTones(speech) { tones++ }, "Belt disconnected.")
-        ShadowLooper.idleMainLooper(1, TimeUnit.SECONDS)
-        assertEquals(Outcome.SPOKEN, line.getCompleted())
-        assertEquals(1, tones)
-        assertFalse(line.isCancelled)
+        assertEquals(Outcome.SPOKEN, done(saying(withTones(speech), "Turn left.", Touch.LEFT)))
+        assertEquals(listOf<Touch?>(Touch.LEFT), signs)
+    }
+
+    @Test fun anEngineThatIsNeverReachedHoldsNoLineUpForLong() {
+        val line = saying(withTones(unanswered()), "Belt disconnected.", Touch.BELT_LOST)
+        ShadowLooper.idleMainLooper(2, TimeUnit.SECONDS)
+        assertFalse("it may yet come up", line.isCompleted)
+        ShadowLooper.idleMainLooper(4, TimeUnit.SECONDS)
+        assertEquals(Outcome.SPOKEN, done(line))
+        assertEquals(listOf<Touch?>(Touch.BELT_LOST), signs)
+    }
+
+    @Test fun anEngineThatComesUpLateSpeaks() {
+        listOf(Locale.US, Locale.ENGLISH).forEach(ShadowTextToSpeech::addLanguageAvailability)
+        val speech = unanswered()
+        val slow = ShadowTextToSpeech.getLastTextToSpeechInstance()
+        ShadowLooper.idleMainLooper(6, TimeUnit.SECONDS)
+        assertEquals(VoiceStatus.NO_ENGINE, speech.status.value)
+        done(saying(withTones(speech), "Turn left.", Touch.LEFT))
+        engine().onInitListener.onInit(TextToSpeech.SUCCESS)
+        assertSame("it was not given up for another", slow, ShadowTextToSpeech.getLastTextToSpeechInstance())
+        assertEquals(VoiceStatus.READY, speech.status.value)
+        assertEquals(Outcome.SPOKEN, done(saying(withTones(speech), "Turn right.", Touch.RIGHT)))
+        assertEquals("Turn right.", engine().lastSpokenText)
+        assertEquals(listOf<Touch?>(Touch.LEFT), signs)
+    }
+
+    @Test fun anEngineThatIsInstalledLaterIsFound() {
+        listOf(Locale.US, Locale.ENGLISH).forEach(ShadowTextToSpeech::addLanguageAvailability)
+        val speech = unanswered()
+        engine().onInitListener.onInit(TextToSpeech.ERROR)
+        val none = ShadowTextToSpeech.getLastTextToSpeechInstance()
+        done(saying(withTones(speech), "Turn left.", Touch.LEFT))
+        assertSame("not at once again", none, ShadowTextToSpeech.getLastTextToSpeechInstance())
+        ShadowLooper.idleMainLooper(10, TimeUnit.SECONDS)
+        done(saying(withTones(speech), "Turn right.", Touch.RIGHT))
+        assertNotSame(none, ShadowTextToSpeech.getLastTextToSpeechInstance())
+        engine().onInitListener.onInit(TextToSpeech.SUCCESS)
+        done(saying(withTones(speech), "Room 2.", Touch.ROOM_ENTERED))
+        assertEquals("Room 2.", engine().lastSpokenText)
+        assertEquals(listOf<Touch?>(Touch.LEFT, Touch.RIGHT), signs)
+    }
+
+    @Test fun anEngineThatDiesIsBoundAnewAndTonesStandInWhenThatDiesToo() {
+        val speech = voice()
+        val voice = withTones(speech)
+        fun dies(): Outcome {
+            ShadowTextToSpeech.getLastTextToSpeechInstance().setOnUtteranceProgressListener(Unheard)
+            val line = saying(voice, "Stop.", Touch.SOMETHING_AHEAD)
+            ShadowLooper.idleMainLooper(30, TimeUnit.SECONDS)
+            return done(line)
+        }
+        val first = ShadowTextToSpeech.getLastTextToSpeechInstance()
+        assertEquals("said again while it holds", Outcome.REFUSED, dies())
+        assertNotSame(first, ShadowTextToSpeech.getLastTextToSpeechInstance())
+        engine().onInitListener.onInit(TextToSpeech.SUCCESS)
+        assertEquals(VoiceStatus.READY, speech.status.value)
+        assertEquals(Outcome.SPOKEN, dies())
+        assertEquals(listOf<Touch?>(Touch.SOMETHING_AHEAD), signs)
+    }
+
+    @Test fun anEngineThatCannotSayAnythingIsStoodInForByTones() {
+        val speech = voice()
+        val voice = withTones(speech)
+        var lines = 0
+        fun fails(): Outcome {
+            ShadowTextToSpeech.getLastTextToSpeechInstance().setOnUtteranceProgressListener(Unheard)
+            val line = saying(voice, "Stop.", Touch.SOMETHING_AHEAD)
+            speech.progress.onError("${++lines}", TextToSpeech.ERROR_SYNTHESIS)
+            return done(line)
+        }
+        assertEquals(Outcome.REFUSED, fails())
+        engine().onInitListener.onInit(TextToSpeech.SUCCESS)
+        assertEquals(Outcome.SPOKEN, fails())
+    }
+
+    @Test fun withoutAnEngineTheWordsOnTheScreenAreInTheChosenLanguage() {
+        val speech = unanswered()
+        engine().onInitListener.onInit(TextToSpeech.ERROR)
+        speech.speakIn(Language.GERMAN)
+        assertEquals(Language.GERMAN to VoiceStatus.NO_ENGINE, speech.language.value to speech.status.value)
+    }
+
+    @Test fun urgentTonesAreToldApart() {
+        val urgent = Touch.entries - Touch.ROOM_ENTERED
+        assertEquals(urgent.size + 1, (urgent + null).map { it.beeps }.toSet().size)
+        assertTrue("long enough to hear", (Touch.entries + null).all { sign -> sign.beeps.all { it.soundMs >= 90 } })
     }
 }

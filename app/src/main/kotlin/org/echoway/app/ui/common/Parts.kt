@@ -27,9 +27,11 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.res.stringResource
+import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
@@ -99,6 +101,17 @@ fun Action(text: String, modifier: Modifier = Modifier.fillMaxWidth(), enabled: 
 @Composable
 fun NamedAction(text: String, of: String, onClick: () -> Unit) {
     Action(text, Modifier.semantics { contentDescription = "$text: $of" }, onClick = onClick)
+}
+
+/** What nobody can be told aloud. */
+@Composable
+fun VoiceMissing(modifier: Modifier = Modifier) {
+    Text(
+        stringResource(R.string.voice_missing),
+        modifier.semantics { liveRegion = LiveRegionMode.Polite },
+        color = MaterialTheme.colorScheme.error,
+        textAlign = TextAlign.Center,
+    )
 }
 
 /** Asks before something is gone for good. */

@@ -46,8 +46,15 @@ import org.echoway.app.ui.common.Action
  * @property words the state in words
  * @property lastLine what was said last
  * @property running whether guidance is on
+ * @property voiceMissing the phone cannot speak
  */
-data class FirefighterUiState(val words: String, val lastLine: String, val running: Boolean, val stillness: Stillness)
+data class FirefighterUiState(
+    val words: String,
+    val lastLine: String,
+    val running: Boolean,
+    val stillness: Stillness,
+    val voiceMissing: Boolean = false,
+)
 
 data class FirefighterActions(val onAsk: (Ask) -> Unit, val onStart: () -> Unit, val onCancelAlarm: () -> Unit, val onLeave: () -> Unit)
 
@@ -85,6 +92,9 @@ private fun Words(state: FirefighterUiState) {
     val type = MaterialTheme.typography
     Line(stringResource(R.string.firefighter), type.titleLarge, Modifier.semantics { heading() })
     Line(state.words, type.headlineSmall)
+    if (state.voiceMissing) {
+        Line(stringResource(R.string.voice_missing_short), type.bodyMedium, Modifier.semantics { liveRegion = LiveRegionMode.Polite })
+    }
     if (state.stillness != Stillness.MOVING) {
         val alarm = if (state.stillness == Stillness.ALARM) R.string.still_alarm else R.string.still_soon
         Line(stringResource(alarm), type.headlineMedium, Modifier.semantics { liveRegion = LiveRegionMode.Assertive })

@@ -66,6 +66,9 @@ class FirstRunViewModel(
         }
     }
 
+    /** Left without a word: the voice must not go on explaining a screen that is gone. */
+    override fun onCleared() = container.guide.hush()
+
     private fun show(step: FirstRunStep) {
         shown.value = step
         again()

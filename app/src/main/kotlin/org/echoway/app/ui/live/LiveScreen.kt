@@ -25,8 +25,10 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalConfiguration
 import androidx.compose.ui.res.stringResource
 import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.isTraversalGroup
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.traversalIndex
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import org.echoway.app.R
@@ -34,6 +36,7 @@ import org.echoway.app.engine.Picture
 import org.echoway.app.ui.common.Action
 import org.echoway.app.ui.common.BigButton
 import org.echoway.app.ui.common.Heading
+import org.echoway.app.ui.common.VoiceMissing
 import org.echoway.app.ui.map.LevelMap
 import org.echoway.app.ui.map.MapControls
 import org.echoway.app.ui.map.rememberMapCamera
@@ -62,7 +65,7 @@ fun LiveScreen(state: LiveUiState, actions: LiveActions) {
             when (state) {
                 LiveUiState.Loading -> Unit
                 LiveUiState.NeedsSetup -> Notice(stringResource(R.string.choose_building_first), actions)
-                is LiveUiState.Failed -> Notice(stringResource(R.string.state_failed, state.reason), actions)
+                is LiveUiState.Failed -> Failed(state, actions)
                 is LiveUiState.Off -> Off(state, actions)
                 is LiveUiState.On -> On(state, actions)
             }
@@ -77,13 +80,28 @@ private fun ColumnScope.Notice(text: String, actions: LiveActions) {
     Action(stringResource(R.string.menu), onClick = actions.onMenu)
 }
 
+/** What was wrong may be mended by now: without a way to begin again the wearer would be stuck here. */
+@Composable
+private fun ColumnScope.Failed(state: LiveUiState.Failed, actions: LiveActions) {
+    Column(Modifier.weight(1f).verticalScroll(rememberScrollState()), Arrangement.spacedBy(12.dp)) {
+        Heading(state.words, Modifier.semantics { liveRegion = LiveRegionMode.Polite })
+        Text(state.reason, style = MaterialTheme.typography.bodyLarge)
+    }
+    BigButton(stringResource(R.string.start), onClick = actions.onStart)
+    Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp)) {
+        Action(stringResource(R.string.setup), Modifier.weight(1f), onClick = actions.onSetup)
+        Action(stringResource(R.string.menu), Modifier.weight(1f), onClick = actions.onMenu)
+    }
+}
+
 @Composable
 private fun ColumnScope.Off(state: LiveUiState.Off, actions: LiveActions) {
     Heading(state.building)
     BesideOrBelow(
-        first = { Map(state.building, state.plan, state.plan.rooms.first().level, null, Picture(), state.lengths, it) },
+        map = { Map(state.building, state.plan, state.plan.rooms.first().level, null, Picture(), state.lengths, it) },
     ) {
         Text(stringResource(R.string.state_off), style = MaterialTheme.typography.titleMedium)
+        if (state.voiceMissing) VoiceMissing()
         BigButton(stringResource(R.string.start), onClick = actions.onStart)
         Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp)) {
             Action(stringResource(R.string.setup), Modifier.weight(1f), onClick = actions.onSetup)
@@ -96,16 +114,14 @@ private fun ColumnScope.Off(state: LiveUiState.Off, actions: LiveActions) {
 private fun ColumnScope.On(state: LiveUiState.On, actions: LiveActions) {
     Heading(state.building)
     BesideOrBelow(
-        first = { Map(state.building, state.plan, state.level, state.wearer, state.picture, state.lengths, it) },
+        map = { Map(state.building, state.plan, state.level, state.wearer, state.picture, state.lengths, it) },
     ) {
         // The voice says this already; TalkBack reads it on demand instead of talking over the guidance.
         Text(state.words, style = MaterialTheme.typography.headlineSmall, textAlign = TextAlign.Center)
         if (state.lastLine.isNotEmpty() && state.lastLine != state.words) {
             Text(state.lastLine, style = MaterialTheme.typography.bodyLarge, textAlign = TextAlign.Center)
         }
-        if (state.voiceMissing) {
-            Text(stringResource(R.string.voice_missing), color = MaterialTheme.colorScheme.error, textAlign = TextAlign.Center)
-        }
+        if (state.voiceMissing) VoiceMissing()
         BigButton(stringResource(R.string.where_am_i), onClick = actions.onWhereAmI)
         Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp)) {
             Action(stringResource(R.string.stop), Modifier.weight(1f), onClick = actions.onStop)
@@ -114,19 +130,26 @@ private fun ColumnScope.On(state: LiveUiState.On, actions: LiveActions) {
     }
 }
 
-/** The map above the rest, or beside it where the screen is wide and low. */
+/**
+ * The map above the rest, or beside it where the screen is wide and low. A screen reader comes to the map last: all its rooms
+ * would stand between a wearer and what they can press.
+ */
 @Composable
-private fun ColumnScope.BesideOrBelow(first: @Composable (Modifier) -> Unit, rest: @Composable ColumnScope.() -> Unit) {
+private fun ColumnScope.BesideOrBelow(map: @Composable (Modifier) -> Unit, rest: @Composable ColumnScope.() -> Unit) {
     val window = LocalConfiguration.current
+    val last = Modifier.semantics {
+        isTraversalGroup = true
+        traversalIndex = 1f
+    }
     if (window.screenWidthDp > window.screenHeightDp && window.screenWidthDp >= WIDE_DP) {
         Row(Modifier.weight(1f).fillMaxWidth(), Arrangement.spacedBy(16.dp), Alignment.Bottom) {
-            first(Modifier.weight(1.4f).fillMaxHeight())
+            map(last.weight(1.4f).fillMaxHeight())
             // From the bottom up: where large words do not fit, what can be pressed is still there.
             val words = Modifier.weight(1f).verticalScroll(rememberScrollState(), reverseScrolling = true)
             Column(words, Arrangement.spacedBy(12.dp), Alignment.CenterHorizontally, rest)
         }
     } else {
-        first(Modifier.weight(1f).fillMaxWidth())
+        map(last.weight(1f).fillMaxWidth())
         rest()
     }
 }

@@ -40,9 +40,9 @@ class LiveViewModel(private val container: AppContainer, private val words: Stat
 
     private fun show(chosen: Choice, state: NavigationState, lastLine: String, voice: VoiceStatus): LiveUiState = when (state) {
         is NavigationState.Running -> on(state, lastLine, voice)
-        is NavigationState.Failed -> LiveUiState.Failed(state.reason)
+        is NavigationState.Failed -> LiveUiState.Failed(words.of(state), state.reason)
         NavigationState.Idle -> when (chosen) {
-            is Choice.Building -> LiveUiState.Off(chosen.building.title, chosen.building.plan)
+            is Choice.Building -> LiveUiState.Off(chosen.building.title, chosen.building.plan, voice == VoiceStatus.NO_ENGINE)
             Choice.Nothing -> LiveUiState.NeedsSetup
         }
     }

@@ -61,7 +61,9 @@ private fun Ready(state: SetupUiState.Ready, actions: SetupActions) {
             }
             if (state.entrances.isNotEmpty()) {
                 Choices(stringResource(R.string.entrance)) {
-                    state.entrances.forEach { Choice(it.title, it.chosen) { actions.onEntrance(it.id) } }
+                    state.entrances.forEach {
+                        Choice(if (it.id == null) stringResource(R.string.entrance_unknown) else it.title, it.chosen) { actions.onEntrance(it.id) }
+                    }
                 }
             }
             Choices(stringResource(R.string.belt)) {

@@ -2,7 +2,7 @@ package org.echoway.app.ui.setup
 
 import org.echoway.app.settings.SourceKind
 
-/** One of several things to choose from; [id] is null for "none of these". */
+/** One of several things to choose from; [id] is null, and [title] empty, for "I do not know". */
 data class Option(val id: String?, val title: String, val chosen: Boolean)
 
 /** A belt source to choose from. [available] is false where it has nothing to play. */

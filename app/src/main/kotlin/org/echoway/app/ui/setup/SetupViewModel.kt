@@ -22,7 +22,7 @@ import org.echoway.app.settings.SourceKind
 import org.echoway.app.ui.common.WHILE_SHOWN
 
 /** Choosing building, entrance and belt source. */
-class SetupViewModel(private val container: AppContainer, private val unknownEntrance: String) : ViewModel() {
+class SetupViewModel(private val container: AppContainer) : ViewModel() {
     private val problem = MutableStateFlow<String?>(null)
 
     val uiState: StateFlow<SetupUiState> =
@@ -77,7 +77,7 @@ class SetupViewModel(private val container: AppContainer, private val unknownEnt
 
     private fun entrances(building: InstalledBuilding, settings: Settings): List<Option> {
         val named = building.plan.exits.map { it.name }.filter { it.isNotEmpty() }.distinct()
-        return listOf(Option(null, unknownEntrance, settings.entrance !in named)) +
+        return listOf(Option(null, "", settings.entrance !in named)) +
             named.map { Option(it, it, it == settings.entrance) }
     }
 
