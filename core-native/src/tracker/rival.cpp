@@ -22,10 +22,16 @@ double Rival::least(bool belief_poor) const noexcept {
   return belief_poor ? std::max(kLogRejected, log_begin_ - kLogSlump + kLogGain * static_cast<double>(age_)) : kLogRejected;
 }
 
+// Who gains all the while on a belief that does not fit is about to win.
+bool Rival::overdue(bool belief_poor) const noexcept {
+  const bool gaining = gain() > kLogGain * static_cast<double>(age_);
+  return age_ > kProbation && !(belief_poor && gaining);
+}
+
 Rival::Verdict Rival::judge(double log_belief, double log_rival, bool belief_poor) noexcept {
   log_odds_ += log_rival - log_belief;
   ++age_;
-  if (log_odds_ < least(belief_poor) || age_ > kProbation) return Verdict::rejected;
+  if (log_odds_ < least(belief_poor) || overdue(belief_poor)) return Verdict::rejected;
   return log_odds_ < kLogAccepted ? Verdict::undecided : Verdict::accepted;
 }
 

@@ -30,6 +30,8 @@ class Rival {
  private:
   /// Log odds below which nothing more is expected of it.
   [[nodiscard]] double least(bool belief_poor) const noexcept;
+  /// Whether it has had its time.
+  [[nodiscard]] bool overdue(bool belief_poor) const noexcept;
 
   Population population_;
   double log_begin_ = 0.0;

@@ -48,6 +48,12 @@ TEST(Rival, ThatIsNoBetterThanAPoorBeliefMakesRoomForTheNextSearchWithinSeconds)
   EXPECT_LT(firings_until(Rival::Verdict::rejected, -20.0, -1.0, true), 16);
 }
 
+TEST(Rival, ThatGainsSlowlyOnAPoorBeliefIsNotDismissedForItsAge) {
+  constexpr double kSlow = 0.15;
+  EXPECT_GT(firings_until(Rival::Verdict::rejected, -20.0, kSlow), 0);
+  EXPECT_GT(firings_until(Rival::Verdict::accepted, -20.0, kSlow, true), 0);
+}
+
 TEST(Rival, ThatIsRightIsBelievedAgainstAPoorBeliefToo) {
   EXPECT_EQ(firings_until(Rival::Verdict::accepted, -20.0, 0.5, true), firings_until(Rival::Verdict::accepted, -20.0, 0.5));
 }
