@@ -37,6 +37,7 @@ constexpr double kPaceGain = 1.0 / 64.0;          // Per firing: four seconds of
 constexpr double kShortestStep = 0.25;            // Metres.
 constexpr double kLongestStep = 1.1;
 constexpr double kSure = 0.9;                     // Probability of the place from which on it is tracked,
+constexpr double kSharpEnough = 0.5;              // Metres: where steps are counted from.
 constexpr double kSharp = 1.0;                    // and its standard deviation in metres.
 
 }  // namespace
@@ -114,6 +115,7 @@ Record BayesLocator::Core::take_down(const Firing& firing, double seconds) {
   if (!options_.parts.silence && !record.echo) record.trust = 0.0;
   gyro_ = record.interval.turn_known;
   follow_movement(record.interval);
+  reckon_on(record.interval);
   const double novelty = novelty_.of(firing.sensor);
   record.novelty = options_.parts.novelty && !main_.empty() ? novelty : 1.0;
   return record;
@@ -138,6 +140,14 @@ void BayesLocator::Core::follow_movement(const Interval& interval) {
   const double forward = estimate_.speed_mps * dt;
   novelty_.move(std::abs(forward), turned);
   repeats_.move(forward, turn);
+}
+
+void BayesLocator::Core::reckon_on(const Interval& interval) {
+  if (!gyro_) {
+    reckoning_.forget();
+  } else if (reckoning_.known()) {
+    reckoning_.move(interval.turn_without(summary_.gyro_bias), interval.steps * step_length_);
+  }
 }
 
 Shot BayesLocator::Core::aim(const Record& record) const {
@@ -279,6 +289,7 @@ void BayesLocator::Core::conclude(double time_s) {
   estimate_.state = state();
   explained_ = fit_.doubtful() || unconfirmed_ > 0 ? 0 : explained_ + 1;
   if (explained_ > kConfirmed) fruitless_ = 0;
+  reckon_from_here();
   if (unconfirmed_ > 0) unconfirmed_ = fit_.doubtful() ? kConfirmed : unconfirmed_ - (estimate_.state == TrackState::tracking);
 }
 
@@ -292,6 +303,14 @@ void BayesLocator::Core::learn_pace(double time_s) {
   } else if (walks) {
     pace_ = std::clamp(pace_ + kPaceGain * (summary_.pace - pace_), 0.2, 1.8);
   }
+}
+
+// Steps and turns count from where the place is known well, which is given up at the first doubt.
+void BayesLocator::Core::reckon_from_here() {
+  if (away_ > kPerhapsAway) return reckoning_.forget();
+  const bool sure = estimate_.state == TrackState::tracking && estimate_.sigma_m < kSharpEnough;
+  if (!gyro_ || explained_ == 0 || !sure) return;
+  reckoning_.begin(place(estimate_.pose.position, estimate_.pose.heading, RoomFrame(building_, estimate_.room)));
 }
 
 // Whoever stands does not turn: what the gyroscope reads meanwhile is its bias.

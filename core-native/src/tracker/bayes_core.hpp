@@ -5,6 +5,7 @@
 #include <span>
 
 #include "echoway/tracker/bayes_locator.hpp"
+#include "tracker/dead_reckoning.hpp"
 #include "tracker/echo_memory.hpp"
 #include "tracker/echo_repeats.hpp"
 #include "tracker/fit_monitor.hpp"
@@ -76,6 +77,8 @@ class BayesLocator::Core {
   void remember(const tracker::Record& record);
   void conclude(double time_s);
   void learn_pace(double time_s);
+  void reckon_on(const tracker::Interval& interval);
+  void reckon_from_here();
   void stand_still(double rate);
   void see_who_is_away();
   [[nodiscard]] bool covered() const noexcept { return near_in_a_row_ >= 2 * belt_.sensors; }
@@ -88,7 +91,8 @@ class BayesLocator::Core {
   [[nodiscard]] bool may_be_elsewhere() const;
   void look_where_stairs_lead(tracker::SearchDomain& domain, std::uint64_t begin) const;
   void look_in_a_circle(tracker::SearchDomain& domain, std::uint64_t begin) const;
-  [[nodiscard]] double heading_at(std::uint64_t firing) const;
+  [[nodiscard]] Pose2 likely_pose() const;
+  [[nodiscard]] double turned_back(double heading, std::uint64_t firing) const;
   [[nodiscard]] std::optional<double> compass_at(std::uint64_t firing) const;
   void conclude_first_search();
   void challenge();
@@ -130,6 +134,7 @@ class BayesLocator::Core {
   tracker::FitMonitor fit_;
   tracker::LevelLinks links_;
   tracker::LevelBelief levels_;
+  tracker::DeadReckoning reckoning_;
   tracker::EchoMemory memory_;
   tracker::EchoRepeats repeats_;
   tracker::Novelty novelty_;

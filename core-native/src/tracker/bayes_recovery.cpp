@@ -90,6 +90,7 @@ void BayesLocator::Core::start_recovery() {
   } else if (unconfirmed_ > 0) {
     if (start_.room && searches_ == 0) domain.only_room = *start_.room;
     domain.level_heading = compass_at(begin);
+    domain.reckoning = &reckoning_;
   } else {
     look_in_a_circle(domain, begin);
   }
@@ -107,22 +108,29 @@ void BayesLocator::Core::look_where_stairs_lead(SearchDomain& domain, std::uint6
   domain.near_room = landing_.room;
   domain.near_position = landing_.at;
   domain.within = kRoundAbout;
-  if (gyro_) domain.near_heading = landing_.turn + heading_at(begin);
+  if (gyro_) domain.near_heading = landing_.turn + turned_back(estimate_.pose.heading, begin);
 }
 
 void BayesLocator::Core::look_in_a_circle(SearchDomain& domain, std::uint64_t begin) const {
-  if (gyro_) domain.kept_heading = estimate_.pose.heading;
+  const Pose2 here = likely_pose();
+  domain.reckoning = &reckoning_;
   domain.near_room = estimate_.room;
-  domain.near_position = estimate_.pose.position;
+  domain.near_position = here.position;
   const int circle = fit_.poor() ? fruitless_ % kCircles : 0;
   if (circle == 0) domain.within = kRoundAbout;
   if (circle == 1) domain.within = kNearby;
-  if (circle == 0 && gyro_) domain.near_heading = heading_at(begin);
+  if (circle == 0 && gyro_) domain.near_heading = turned_back(here.heading, begin);
 }
 
-// The estimate's heading at an earlier firing, by the gyroscope: a search begins where its window does.
-double BayesLocator::Core::heading_at(std::uint64_t firing) const {
-  double heading = estimate_.pose.heading;
+// Where a belief that fits no longer should be, in the estimate's room's frame: by steps and turns, if they were counted.
+Pose2 BayesLocator::Core::likely_pose() const {
+  const Room& room = building_.room(estimate_.room);
+  if (!reckoning_.known() || reckoning_.at().level != room.level) return estimate_.pose;
+  return room.frame.relative({reckoning_.at().position, reckoning_.at().heading});
+}
+
+// A heading of now at an earlier firing, by the gyroscope: a search begins where its window does.
+double BayesLocator::Core::turned_back(double heading, std::uint64_t firing) const {
   for (std::uint64_t n = firing + 1; n < history_.end(); ++n) heading -= history_[n].interval.turn_without(summary_.gyro_bias);
   return wrap_angle(heading);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "echoway/geometry/pose2.hpp"
 #include "tracker/elementary.hpp"
@@ -89,6 +90,7 @@ void HintIntegrator::on_hint(const MotionHint& hint) noexcept {
       if (since < kLongestStep) note_step_interval(since);
       last_step_ = hint.time_s;
       fresh_step_ = true;
+      steps_ += 1.0 - turning_on_the_spot(hint.time_s);
       break;
     }
   }
@@ -101,6 +103,10 @@ void HintIntegrator::note_step_interval(double seconds) noexcept {
 
 bool HintIntegrator::in_step(double time_s) const noexcept {
   return interval_count_ >= kFewestIntervals && time_s - last_step_ <= kLongestStep;
+}
+
+double HintIntegrator::turning_on_the_spot(double time_s) const noexcept {
+  return time_s - last_rate_time_ < kStaleRate ? on_the_spot(rate_) : 0.0;
 }
 
 // A step missed doubles an interval and one invented splits one: the median minds neither.
@@ -127,6 +133,7 @@ Interval HintIntegrator::close(double time_s, double seconds) noexcept {
   interval.turn_known = time_s - last_rate_time_ < kStaleRate || time_s - last_heading_time_ < kStaleRate;
   interval.turn = turn_;
   interval.in_step = in_step(time_s);
+  interval.steps = std::exchange(steps_, 0.0);
   turn_ = 0.0;
   return interval;
 }
@@ -135,7 +142,7 @@ HintIntegrator::GaitEvidence HintIntegrator::take_gait_evidence(double time_s, d
   GaitEvidence evidence;
   if (fresh_step_) {
     fresh_step_ = false;
-    const double turning = time_s - last_rate_time_ < kStaleRate ? on_the_spot(rate_) : 0.0;
+    const double turning = turning_on_the_spot(time_s);
     evidence.standing = kStepWithoutWalking + turning * (kStepOnTheSpot - kStepWithoutWalking);
     return evidence;
   }

@@ -50,6 +50,7 @@ struct Interval {
   double seconds = 0.0;
   bool turn_known = false;
   double turn = 0.0;                     ///< Radians, when known; includes the gyroscope's bias.
+  double steps = 0.0;                    ///< Heard; those of a turn on the spot lead nowhere.
   bool in_step = false;                  ///< Steps are heard, and how fast they follow.
 
   /// The turn with that bias (rad/s) taken out.
@@ -79,6 +80,8 @@ class HintIntegrator {
 
  private:
   void note_step_interval(double seconds) noexcept;
+  /// Between 0 and 1, by the gyroscope; 0 without one.
+  [[nodiscard]] double turning_on_the_spot(double time_s) const noexcept;
 
   void integrate_to(double time_s) noexcept;
   void forget_future(double time_s) noexcept;
@@ -100,6 +103,7 @@ class HintIntegrator {
   std::array<double, kIntervals> intervals_{};   ///< Seconds between the last steps.
   std::size_t interval_count_ = 0;
   bool fresh_step_ = false;
+  double steps_ = 0.0;               ///< Since the interval began.
 };
 
 /// An interval prepared for all particles: whatever is the same for each is worked out once.

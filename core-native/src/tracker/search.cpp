@@ -279,23 +279,14 @@ void Search::draw_from_survivors(const SearchTools& tools, Random& random) noexc
   log_evidence_ = 0.0;
 }
 
-// A gyroscope keeps the heading when the place is lost, and while the wearer is carried.
-double Search::log_prior_of_heading(const Particle& p, const Building& building, double turned) const noexcept {
-  if (!domain_.kept_heading) return 0.0;
-  constexpr double kKeptSigma = degrees(15.0);
-  constexpr double kKeptShare = 0.98;
-  constexpr double kRootTwoPi = 2.5066282746310002;
-  const double now = *domain_.kept_heading + turned + building.room(domain_.near_room).frame.heading;
-  const double off = wrap_near(building.room(p.room).frame.heading + p.heading - now) / kKeptSigma;
-  return fast_log(kKeptShare * kRootTwoPi / kKeptSigma * fast_exp(-0.5 * off * off) + 1.0 - kKeptShare);
-}
-
 // A tracker that lost its hold is most often not far off; being carried elsewhere is rare.
-double Search::log_prior(const Particle& p, const Building& building, double turned) const noexcept {
+double Search::log_prior(const Particle& p, const Building& building) const noexcept {
   const double level = domain_.levels != nullptr ? domain_.levels->log_probability(p.room) : 0.0;
-  if (domain_.near_room == kNoRoom) return level;
-  const double level_and_heading = level + log_prior_of_heading(p, building, turned);
-  if (domain_.within) return level_and_heading;
+  if (domain_.reckoning != nullptr && domain_.reckoning->known()) {
+    const double area = domain_.within ? kPi * *domain_.within * *domain_.within : area_;
+    return level + domain_.reckoning->log_prior(place(p, RoomFrame(building, p.room)), area);
+  }
+  if (domain_.near_room == kNoRoom || domain_.within) return level;
   constexpr double kNearSigma = 2.0;
   constexpr double kNearShare = 0.9997;
   const Room& here = building.room(p.room);
@@ -305,20 +296,13 @@ double Search::log_prior(const Particle& p, const Building& building, double tur
     const double d2 = squared_norm(here.frame.transform(p.position) - near.frame.transform(domain_.near_position));
     nearness = area_ / (kTwoPi * kNearSigma * kNearSigma) * fast_exp(-0.5 * d2 / (kNearSigma * kNearSigma));
   }
-  return level_and_heading + fast_log(kNearShare * nearness + 1.0 - kNearShare);
-}
-
-double Search::turned_since(const SearchTools& tools) const noexcept {
-  double turned = 0.0;
-  for (std::uint64_t n = end_; n < tools.history.end(); ++n) turned += tools.history[n].interval.turn_without(tools.gyro_bias);
-  return turned;
+  return level + fast_log(kNearShare * nearness + 1.0 - kNearShare);
 }
 
 void Search::finish(const SearchTools& tools) noexcept {
   phase_ = Phase::done;
-  const double turned = turned_since(tools);
   const auto particles = refinement_.population().particles();
-  for (Particle& p : particles) p.weight *= fast_exp(log_prior(p, tools.building, turned));
+  for (Particle& p : particles) p.weight *= fast_exp(log_prior(p, tools.building));
   const double tried = static_cast<double>(std::max<std::size_t>(tried_, 1));
   log_evidence_ = refinement_.log_evidence() + fast_log(refinement_.population().normalize()) - fast_log(tried);
 }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "tracker/dead_reckoning.hpp"
 #include "tracker/history.hpp"
 #include "tracker/elementary.hpp"
 #include "tracker/level_belief.hpp"
@@ -22,9 +23,9 @@ struct SearchDomain {
   RoomIndex near_room = kNoRoom;              ///< When set, places near this one are likelier than elsewhere.
   Vec2 near_position{};                       ///< In that room's frame.
   std::optional<double> within;               ///< Metres: look no farther from there, on any level,
-  std::optional<double> kept_heading;         ///< When set, headings near this one are likelier (that room's frame, at the start).
   std::optional<double> near_heading;         ///< and, when set, only about this heading (that room's frame).
   bool thorough = false;                      ///< Places that no echo tells apart shall all be found.
+  const DeadReckoning* reckoning = nullptr;   ///< When set, and known, places near where it leads are likelier than others.
   const LevelBelief* levels = nullptr;        ///< When set, places on levels where the wearer has been are likelier.
 };
 
@@ -116,10 +117,7 @@ class Search {
     return heading_is_known() ? domain_.heading_sigma : parameters_.heading_step;
   }
   void finish(const SearchTools& tools) noexcept;
-  [[nodiscard]] double turned_since(const SearchTools& tools) const noexcept;
-  /// `turned`: by the wearer since the search began, radians.
-  [[nodiscard]] double log_prior_of_heading(const Particle& particle, const Building& building, double turned) const noexcept;
-  [[nodiscard]] double log_prior(const Particle& particle, const Building& building, double turned) const noexcept;
+  [[nodiscard]] double log_prior(const Particle& particle, const Building& building) const noexcept;
 
   [[nodiscard]] std::size_t budget() const noexcept {
     if (domain_.near_room == kNoRoom) return parameters_.budget;
