@@ -33,12 +33,7 @@ constexpr double kCoatRange = 0.5;                // Metres: two passes of echoe
 constexpr double kSurelyUnmapped = 0.6;
 constexpr double kSureEnough = 0.35;              // Metres.
 constexpr double kBeyondArms = 0.40;              // Metres.
-constexpr double kPaceGain = 1.0 / 64.0;          // Per firing: four seconds of walking.
-constexpr double kShortestStep = 0.25;            // Metres.
-constexpr double kLongestStep = 1.1;
-constexpr double kSure = 0.9;                     // Probability of the place from which on it is tracked,
-constexpr double kSharpEnough = 0.5;              // Metres: where steps are counted from.
-constexpr double kSharp = 1.0;                    // and its standard deviation in metres.
+constexpr double kSharp = 1.0;                    // Metres: the standard deviation up to which a place is tracked.
 
 }  // namespace
 
@@ -129,25 +124,6 @@ void BayesLocator::Core::choose_model(const Record& record) {
   if (stays) return;
   const bool known = !main_.empty() && unconfirmed_ == 0;
   model_ = known ? &wary_ : &keen_;
-}
-
-// Where several places are possible the estimate jumps between them while the wearer stands: what counts is how the
-// particles move, not where the likeliest of them lie.
-void BayesLocator::Core::follow_movement(const Interval& interval) {
-  const double dt = interval.seconds;
-  const double turn = interval.turn_known ? interval.turn_without(summary_.gyro_bias) : summary_.turn_rate * dt;
-  const double turned = interval.turn_known ? std::abs(turn) : summary_.turning * dt;
-  const double forward = estimate_.speed_mps * dt;
-  novelty_.move(std::abs(forward), turned);
-  repeats_.move(forward, turn);
-}
-
-void BayesLocator::Core::reckon_on(const Interval& interval) {
-  if (!gyro_) {
-    reckoning_.forget();
-  } else if (reckoning_.known()) {
-    reckoning_.move(interval.turn_without(summary_.gyro_bias), interval.steps * step_length_);
-  }
 }
 
 Shot BayesLocator::Core::aim(const Record& record) const {
@@ -291,32 +267,6 @@ void BayesLocator::Core::conclude(double time_s) {
   if (explained_ > kConfirmed) fruitless_ = 0;
   reckon_from_here();
   if (unconfirmed_ > 0) unconfirmed_ = fit_.doubtful() ? kConfirmed : unconfirmed_ - (estimate_.state == TrackState::tracking);
-}
-
-// A wearer's steps are of much the same length; how fast they follow tells the pace before the echoes do.
-void BayesLocator::Core::learn_pace(double time_s) {
-  const bool walks = summary_.walking > kSure && summary_.hypotheses[0].probability > kSure;
-  const double cadence = hints_.cadence(time_s);
-  if (cadence > 0.0) {
-    if (walks) step_length_ += kPaceGain * (std::clamp(summary_.pace / cadence, kShortestStep, kLongestStep) - step_length_);
-    pace_ = std::clamp(step_length_ * cadence, 0.2, 1.8);
-  } else if (walks) {
-    pace_ = std::clamp(pace_ + kPaceGain * (summary_.pace - pace_), 0.2, 1.8);
-  }
-}
-
-// Steps and turns count from where the place is known well, which is given up at the first doubt.
-void BayesLocator::Core::reckon_from_here() {
-  if (away_ > kPerhapsAway) return reckoning_.forget();
-  const bool sure = estimate_.state == TrackState::tracking && estimate_.sigma_m < kSharpEnough;
-  if (!gyro_ || explained_ == 0 || !sure) return;
-  reckoning_.begin(place(estimate_.pose.position, estimate_.pose.heading, RoomFrame(building_, estimate_.room)));
-}
-
-// Whoever stands does not turn: what the gyroscope reads meanwhile is its bias.
-void BayesLocator::Core::stand_still(double rate) {
-  main_.observe_gyro_bias(rate, StillRate::kSigma, random_);
-  for (Rival& rival : rivals_) rival.population().observe_gyro_bias(rate, StillRate::kSigma, random_);
 }
 
 void BayesLocator::Core::see_who_is_away() {

@@ -24,8 +24,8 @@
 
 namespace echoway {
 
-/// The tracker's parts and how they play together. Starting is in bayes_start.cpp, a firing's way in bayes_core.cpp,
-/// searching and recovering in bayes_recovery.cpp.
+/// The tracker's parts and how they play together. Starting is in bayes_start.cpp, a firing's way in bayes_core.cpp, what is
+/// learnt of the wearer's movement in bayes_motion.cpp, searching and recovering in bayes_recovery.cpp.
 class BayesLocator::Core {
  public:
   Core(const Building& building, const BeltConfig& belt, const Start& start, const BayesOptions& options);
@@ -45,6 +45,7 @@ class BayesLocator::Core {
   static constexpr double kUsuallyMapped = 0.7;      ///< mapped_share_ of a belief that is new.
   static constexpr double kLeastScaleSigma = 0.004;  ///< The speed of sound is never known better.
   static constexpr int kConfirmed = 160;             ///< Firings: ten seconds.
+  static constexpr double kSure = 0.9;               ///< Probability of the place from which on it is tracked.
   static constexpr int kFewestEchoes = 2;            ///< Less is not worth a search.
   static constexpr double kPerhapsAway = 0.2;        ///< away_ from which on nobody is looked for in the rooms,
   static constexpr double kSurelyAway = 0.5;         ///< and from which on they are taken to be on the stairs.
@@ -59,7 +60,6 @@ class BayesLocator::Core {
   [[nodiscard]] bool tell_time(double time_s, double& seconds);
   [[nodiscard]] tracker::Record take_down(const Firing& firing, double seconds);
   void choose_model(const tracker::Record& record);
-  void follow_movement(const tracker::Interval& interval);
   [[nodiscard]] tracker::Shot aim(const tracker::Record& record) const;
   /// What a population made of a reading.
   struct Verdict {
@@ -76,13 +76,16 @@ class BayesLocator::Core {
   [[nodiscard]] std::span<const tracker::Spot> recall(const tracker::Shot& shot);
   void remember(const tracker::Record& record);
   void conclude(double time_s);
-  void learn_pace(double time_s);
-  void reckon_on(const tracker::Interval& interval);
-  void reckon_from_here();
-  void stand_still(double rate);
   void see_who_is_away();
   [[nodiscard]] bool covered() const noexcept { return near_in_a_row_ >= 2 * belt_.sensors; }
   [[nodiscard]] TrackState state() const;
+
+  // The wearer's movement.
+  void follow_movement(const tracker::Interval& interval);
+  void reckon_on(const tracker::Interval& interval);
+  void reckon_from_here();
+  void learn_pace(double time_s);
+  void stand_still(double rate);
 
   // Searching and recovering.
   void pursue_search();
