@@ -34,7 +34,7 @@ class Announcer {
     fun onEvent(event: GuidanceEvent): List<Message> = when (event) {
         is GuidanceEvent.Told -> if (event.cue.kind in OF_THE_BELT) emptyList() else listOfNotNull(Message.Told(event.cue), detail(event.cue))
         is GuidanceEvent.Granted -> confirmation(event.wish)
-        is GuidanceEvent.Refused -> listOfNotNull(refusal(event.wish))
+        is GuidanceEvent.Refused -> listOfNotNull(refusal(event.wish), barrier(event.wish))
         is GuidanceEvent.BeltChanged -> listOf(Message.BeltChanged(event.sensors))
         GuidanceEvent.WayBackLost -> listOf(Message.WayBackLost)
     }
@@ -80,6 +80,10 @@ class Announcer {
         is Wish.StandAt -> plan?.let { Message.CannotStandAt(it, wish.place) }
         Wish.WhereAmI, Wish.StopLeading, Wish.AllowBelt -> null
     }
+
+    /** Whoever has not walked yet because the belt may not be used is told that too. */
+    private fun barrier(wish: Wish): Message? =
+        Message.Unanswerable(NoAnswer.NotAllowed).takeIf { wish == Wish.BackTrack && withoutAnswer() == NoAnswer.NotAllowed }
 
     private companion object {
         /** The app watches the line itself: it knows of permissions and of recordings, and who is clear again. */

@@ -64,7 +64,7 @@ class Guide(
         adopt(settings.first(), speech.language.value)
         if (!buzzer.present && vibrates) tell(Message.NoVibration)
         launch { follow(settings) }
-        launch { events.collect { event -> announcer.onEvent(event).forEach(::tell) } }
+        launch { events.collect { event -> announcer.onEvent(event).forEach(::answer) } }
         launch { states.map(::obstacle).distinctUntilChanged().collectLatest { it?.let { tick(it) } } }
         try {
             states.collect(::onState)
@@ -103,10 +103,13 @@ class Guide(
         if (lead(Wish.LeadTo(destination, preferences))) announcer.withoutAnswer()?.let(::excuse)
     }
 
-    /** Says why there is no answer now, and does what may help. */
-    private fun excuse(why: NoAnswer) {
-        if (why == NoAnswer.NotAllowed) core.ask(Wish.AllowBelt)
-        tell(Message.Unanswerable(why))
+    /** Says why there is no answer now. */
+    private fun excuse(why: NoAnswer) = answer(Message.Unanswerable(why))
+
+    /** Says it; where there is no answer now, does what may help. */
+    private fun answer(message: Message) {
+        if (message == Message.Unanswerable(NoAnswer.NotAllowed)) core.ask(Wish.AllowBelt)
+        tell(message)
     }
 
     /** Says a line of a screen that explains itself; the newest takes the place of the one before. */

@@ -237,6 +237,19 @@ class GuideTest {
         assertEquals("who wants out is asked too", listOf(Wish.LeadTo(Destination.WAY_OUT), Wish.AllowBelt), core.wishes.drop(1))
     }
 
+    @Test fun whoWantsBackIsAskedAgainForTheBeltTheyRefused() = walking {
+        state { it.copy(line = Line.REFUSED, belt = SamplePlan.health(BeltLink.ABSENT)) }
+        heard()
+        guide.ask(Ask.WAY_BACK)
+        happens(GuidanceEvent.Granted(Wish.BackTrack))
+        assertEquals(listOf(Wish.BackTrack, Wish.AllowBelt), core.wishes)
+        assertEquals(listOf("Back the way you came.", "Belt found. Allow its use on screen."), heard())
+        guide.ask(Ask.WAY_BACK)
+        happens(GuidanceEvent.Refused(Wish.BackTrack, ""))
+        assertEquals("before the first step too", listOf(Wish.BackTrack, Wish.AllowBelt), core.wishes.drop(2))
+        assertEquals(listOf("No way back yet.", "Belt found. Allow its use on screen."), heard())
+    }
+
     @Test fun aRecordedWalkIsSaidToBeNoneOfOnesOwn() = runTest {
         Situation(this, Settings()).run {
             state { it.copy(live = false) }
