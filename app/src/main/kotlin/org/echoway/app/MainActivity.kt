@@ -22,6 +22,7 @@ import java.io.FileNotFoundException
 import kotlinx.coroutines.launch
 import org.echoway.app.control.VolumeChords
 import org.echoway.app.control.VolumeKey
+import org.echoway.app.engine.NavigationState
 import org.echoway.app.service.NavigationService
 import org.echoway.app.settings.Settings
 import org.echoway.app.settings.SourceKind
@@ -36,6 +37,7 @@ class MainActivity : ComponentActivity() {
     private val permissions = registerForActivityResult(RequestMultiplePermissions()) { NavigationService.start(this) }
     private val chords by lazy { VolumeChords(container.guide) }
     private var volumeKeysAsk = false
+    private var firefighter = false
     private val recording = registerForActivityResult(OpenDocument()) { uri -> uri?.let(::useRecording) }
 
     override fun onCreate(savedInstanceState: Bundle?) {
@@ -65,15 +67,20 @@ class MainActivity : ComponentActivity() {
         }
     }
 
-    /** Chords of the volume keys ask; a single key stays the volume's. */
+    /**
+     * Chords of the volume keys ask; a single key stays the volume's. In firefighter mode guidance's media session asks at
+     * every key that it is handed: it gets none from here, or a chord would be heard as a chord and as its two keys.
+     */
     override fun dispatchKeyEvent(event: KeyEvent): Boolean {
         val key = VOLUME_KEYS[event.keyCode]?.takeIf { volumeKeysAsk && event.action in KEY_ACTIONS }
             ?: return super.dispatchKeyEvent(event)
+        chords.loneKeysAsk = firefighter && container.navigator.state.value is NavigationState.Running
         return chords.onKey(key, event.action == KeyEvent.ACTION_DOWN, event.eventTime) || super.dispatchKeyEvent(event)
     }
 
     private fun follow(settings: Settings) {
         volumeKeysAsk = settings.volumeKeys
+        firefighter = settings.firefighter
         // Whoever is to find a firefighter must reach "Cancel alarm" on a locked phone.
         if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.O_MR1) setShowWhenLocked(settings.firefighter)
     }

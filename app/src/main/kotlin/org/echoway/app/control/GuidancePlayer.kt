@@ -19,6 +19,7 @@ import org.echoway.app.guide.Asking
 internal class GuidancePlayer(private val title: String, private val asking: Asking, private val clock: Clock) :
     SimpleBasePlayer(Looper.getMainLooper()) {
     private var askedS = Double.NEGATIVE_INFINITY
+    private var lastKey: VolumeKey? = null
 
     /** The volume keys ask too, even with the screen off; the volume is then the phone's as it was. */
     var takesVolumeKeys = false
@@ -47,13 +48,13 @@ internal class GuidancePlayer(private val title: String, private val asking: Ask
 
     override fun handleStop() = ask(Ask.MUTE)
 
-    override fun handleIncreaseDeviceVolume(flags: Int) = askOnce(Ask.WHERE_AM_I)
+    override fun handleIncreaseDeviceVolume(flags: Int) = onKey(VolumeKey.UP)
 
-    override fun handleDecreaseDeviceVolume(flags: Int) = askOnce(Ask.WAY_BACK)
+    override fun handleDecreaseDeviceVolume(flags: Int) = onKey(VolumeKey.DOWN)
 
     override fun handleSetDeviceVolume(deviceVolume: Int, flags: Int): ListenableFuture<*> = when {
-        deviceVolume > VOLUME -> askOnce(Ask.WHERE_AM_I)
-        deviceVolume < VOLUME -> askOnce(Ask.WAY_BACK)
+        deviceVolume > VOLUME -> onKey(VolumeKey.UP)
+        deviceVolume < VOLUME -> onKey(VolumeKey.DOWN)
         else -> Futures.immediateVoidFuture()
     }
 
@@ -65,11 +66,12 @@ internal class GuidancePlayer(private val title: String, private val asking: Ask
     }
 
     /** A key that is held, in a glove, repeats itself. */
-    private fun askOnce(ask: Ask): ListenableFuture<*> {
+    private fun onKey(key: VolumeKey): ListenableFuture<*> {
         val now = clock.nowS()
-        val again = now - askedS < HELD_S
+        val held = key == lastKey && now - askedS < HELD_S
         askedS = now
-        return if (again) Futures.immediateVoidFuture() else ask(ask)
+        lastKey = key
+        return if (held) Futures.immediateVoidFuture() else ask(key.alone)
     }
 
     private fun piece(name: String) = MediaItemData.Builder(name)

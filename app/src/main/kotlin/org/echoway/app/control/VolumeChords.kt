@@ -3,11 +3,12 @@ package org.echoway.app.control
 import org.echoway.app.guide.Ask
 import org.echoway.app.guide.Asking
 
-enum class VolumeKey { UP, DOWN }
+/** @property alone what the key asks in firefighter mode, pressed without the other */
+enum class VolumeKey(val alone: Ask) { UP(Ask.WHERE_AM_I), DOWN(Ask.WAY_BACK) }
 
 /**
- * Both volume keys together ask; one alone still changes the volume. Which one was pressed first tells them apart, and how
- * long both are held:
+ * Both volume keys together ask; one alone still changes the volume, or asks too where [loneKeysAsk]. Which one was pressed
+ * first tells chords apart, and how long both are held:
  *
  * - up, then down: where am I
  * - down, then up: repeat
@@ -18,14 +19,24 @@ enum class VolumeKey { UP, DOWN }
  */
 class VolumeChords(private val asking: Asking) {
     private val down = mutableListOf<VolumeKey>()
+    private var chorded = false
     private var chordAtMs: Long? = null
     private var first = VolumeKey.UP
     private var lastChordAtMs: Long? = null
 
+    /** Whether a key alone asks instead of changing the volume; every key is then taken. */
+    var loneKeysAsk = false
+
     /** Returns whether the event is taken; otherwise it is for the volume. */
     fun onKey(key: VolumeKey, pressed: Boolean, timeMs: Long): Boolean {
-        if (pressed) return press(key, timeMs)
-        down.remove(key)
+        val taken = if (pressed) press(key, timeMs) else letGo(key, timeMs)
+        return taken || loneKeysAsk
+    }
+
+    private fun letGo(key: VolumeKey, timeMs: Long): Boolean {
+        val lone = down.remove(key) && !chorded
+        chorded = chorded && down.isNotEmpty()
+        if (lone && loneKeysAsk) asking.ask(key.alone)
         val since = chordAtMs ?: return false
         chordAtMs = null
         release(since, timeMs)
@@ -38,6 +49,7 @@ class VolumeChords(private val asking: Asking) {
         if (down.size < VolumeKey.entries.size) return false
         if (repeated || chordAtMs != null) return true // held: the volume stays
         chordAtMs = timeMs
+        chorded = true
         first = if (key == VolumeKey.DOWN) VolumeKey.UP else VolumeKey.DOWN
         // The second key goes to the volume too: it takes back the step that the first one made.
         return false

@@ -104,4 +104,14 @@ class MediaControlsTest {
         settle()
         assertEquals("a key that is held asks once", listOf(Ask.WHERE_AM_I, Ask.WAY_BACK), asked)
     }
+
+    @Test fun anotherVolumeKeySoonAfterTheFirstAsksToo() {
+        controls.takesVolumeKeys = true
+        settle()
+        headset.increaseDeviceVolume(C.VOLUME_FLAG_SHOW_UI)
+        headset.decreaseDeviceVolume(C.VOLUME_FLAG_SHOW_UI)
+        headset.increaseDeviceVolume(C.VOLUME_FLAG_SHOW_UI)
+        settle()
+        assertEquals(listOf(Ask.WHERE_AM_I, Ask.WAY_BACK, Ask.WHERE_AM_I), asked)
+    }
 }

@@ -73,6 +73,33 @@ class VolumeChordsTest {
         assertEquals(emptyList<Ask>(), asked)
     }
 
+    private fun pressed(key: VolumeKey, heldMs: Long = 100) {
+        assertTrue(chords.onKey(key, true, now))
+        for (repeat in 1..heldMs / 50) {
+            now += 50
+            assertTrue(chords.onKey(key, true, now))
+        }
+        assertTrue(chords.onKey(key, false, now))
+        now += 50
+    }
+
+    @Test fun whereLoneKeysAskEachAsksOnceAndTheVolumeStays() {
+        chords.loneKeysAsk = true
+        pressed(UP)
+        pressed(DOWN, heldMs = 3_000)
+        assertEquals(listOf(Ask.WHERE_AM_I, Ask.WAY_BACK), asked)
+    }
+
+    @Test fun whereLoneKeysAskAChordIsStillOneQuestion() {
+        chords.loneKeysAsk = true
+        assertEquals(0, chord(UP, 150))
+        chord(DOWN, 150)
+        chord(UP, 1_200)
+        assertEquals(listOf(Ask.WHERE_AM_I, Ask.REPEAT, Ask.WAY_OUT), asked)
+        pressed(DOWN)
+        assertEquals(Ask.WAY_BACK, asked.last())
+    }
+
     @Test fun afterAChordOneKeyIsTheVolumesAgain() {
         chord(UP, 150)
         assertFalse(chords.onKey(DOWN, true, now))

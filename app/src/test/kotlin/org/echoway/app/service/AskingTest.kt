@@ -21,6 +21,7 @@ import org.echoway.app.guide.Ask
 import org.echoway.core.Language
 import org.junit.After
 import org.junit.Assert.assertEquals
+import org.junit.Assert.assertTrue
 import org.junit.Before
 import org.junit.Test
 import org.junit.runner.RunWith
@@ -140,6 +141,21 @@ class AskingTest {
             chord(KEYCODE_VOLUME_UP, KEYCODE_VOLUME_DOWN)
         }
         assertEquals("Muted. Danger is still spoken.", twice.last())
+    }
+
+    /** What is not taken by the screen goes to guidance's media session, which asks a second time. */
+    @Test fun inFirefighterModeAVolumeKeyAsksAloneAndAChordAsksOnce() = ActivityScenario.launch(MainActivity::class.java).use { screen ->
+        container.settings.settings.value = container.settings.settings.value.copy(firefighter = true, notMovedAlertS = 0)
+        settle(1_000)
+        var now = 0L
+        fun key(code: Int, action: Int) = screen.onActivity {
+            assertTrue("taken", it.dispatchKeyEvent(KeyEvent(0, now, action, code, 0)))
+            now += 100
+        }
+        fun press(vararg codes: Int) = listOf(KeyEvent.ACTION_DOWN, KeyEvent.ACTION_UP).forEach { action -> codes.forEach { key(it, action) } }
+        assertEquals(listOf("Belt disconnected."), heard { press(KEYCODE_VOLUME_UP) })
+        assertEquals(listOf("No way back yet."), heard { press(KEYCODE_VOLUME_DOWN) })
+        assertEquals(listOf("Belt disconnected."), heard { press(KEYCODE_VOLUME_UP, KEYCODE_VOLUME_DOWN) })
     }
 
     /** The chosen language is not the phone's, and nothing has been said in it yet. */
