@@ -2,6 +2,7 @@ package org.echoway.app.engine
 
 import org.echoway.app.building.InstalledBuilding
 import org.echoway.core.BeltHealth
+import org.echoway.core.Destination
 import org.echoway.core.Estimate
 import org.echoway.core.Plan
 
@@ -36,6 +37,9 @@ sealed interface NavigationState {
         val live: Boolean = true,
     ) : NavigationState {
         override val plan: Plan get() = building.plan
+
+        /** Where the wearer is led; null nowhere, or back the way they came. */
+        val destination: Destination? get() = (leading as? Wish.LeadTo)?.destination
     }
 }
 

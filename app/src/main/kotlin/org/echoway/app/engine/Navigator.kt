@@ -69,18 +69,19 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
         this.style = style
     }
 
-    /** Navigates until it is cancelled; [witness] sees what happens. */
+    /** Navigates until it is cancelled, led as [wish] says from the beginning; [witness] sees what happens. */
     suspend fun run(
         building: InstalledBuilding,
         start: Start,
         source: BeltSource,
         motion: MotionSource,
         witness: Witness? = null,
+        wish: Wish.LeadTo? = null,
     ) = withContext(thread) {
         forgetWishes()
         isLive = !source.bringsMotion
         try {
-            Run(building, start, source.setup(), source, witness).use { it.run(motion) }
+            Run(building, start, source.setup(), source, witness).use { it.run(motion, wish) }
         } catch (e: CoreException) {
             published.value = NavigationState.Failed(NoStart.BUILDING_UNUSABLE, e.message.orEmpty())
         } catch (e: IOException) {
@@ -111,8 +112,8 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
         private var leading: Wish? = null
         private var movedS = clock.nowS()
 
-        suspend fun run(motion: MotionSource) = coroutineScope {
-            publish()
+        suspend fun run(motion: MotionSource, wish: Wish.LeadTo?) = coroutineScope {
+            if (wish == null) publish() else grant(wish)
             launch { tick() }
             launch { for (wish in wishes) grant(wish) }
             if (!source.bringsMotion) launch { feedMotion(motion.hints()) }

@@ -54,8 +54,8 @@ sealed class Message(val rank: Rank, val topic: String, val validS: Double) {
     /** What will be said is not of where the wearer is. */
     data object RecordedWalk : Message(Rank.LOST_OR_BROKEN, "recorded walk", LASTING_S)
 
-    /** Android had ended the app, and brings guidance back; where to is forgotten. */
-    data object Interrupted : Message(Rank.LOST_OR_BROKEN, "start", LASTING_S)
+    /** Android had ended the app, and brings guidance back; to [goal] of [plan], null when the way is forgotten. */
+    data class Interrupted(val plan: Plan, val goal: Destination?) : Message(Rank.LOST_OR_BROKEN, "start", LASTING_S)
 
     data object RecordingOver : Message(Rank.LOST_OR_BROKEN, "belt", LASTING_S)
 

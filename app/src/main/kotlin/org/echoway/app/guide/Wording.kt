@@ -29,7 +29,8 @@ class Wording(private val resources: Resources) {
         is Message.BeltChanged ->
             resources.getQuantityString(R.plurals.say_belt_changed, message.sensors, spelling.format(message.sensors.toLong()))
         Message.RecordedWalk -> text(R.string.say_recorded_walk)
-        Message.Interrupted -> text(R.string.say_interrupted)
+        is Message.Interrupted ->
+            message.goal?.let { text(R.string.say_interrupted_led, name(message.plan, it)) } ?: text(R.string.say_interrupted)
         Message.RecordingOver -> text(R.string.say_recording_over)
         is Message.SensorBlocked -> text(R.string.say_sensor_blocked, side(message.side))
         is Message.SensorClear -> text(R.string.say_sensor_clear, side(message.side))

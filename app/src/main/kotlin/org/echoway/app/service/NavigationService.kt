@@ -17,6 +17,7 @@ import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.flow.Flow
 import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.flow.distinctUntilChanged
+import kotlinx.coroutines.flow.filterIsInstance
 import kotlinx.coroutines.flow.first
 import kotlinx.coroutines.flow.map
 import kotlinx.coroutines.launch
@@ -25,13 +26,16 @@ import org.echoway.app.container
 import org.echoway.app.control.MediaControls
 import org.echoway.app.engine.NavigationState
 import org.echoway.app.engine.NoStart
+import org.echoway.app.engine.Wish
 import org.echoway.app.guide.Ask
 import org.echoway.app.guide.Message
 import org.echoway.app.guide.hearsBelt
 import org.echoway.app.recording.RecordingStatus
 import org.echoway.app.recording.RecordingSwitch
+import org.echoway.app.settings.Goal
 import org.echoway.app.settings.Settings
 import org.echoway.app.settings.SourceKind
+import org.echoway.core.RoutePreferences
 import org.echoway.core.Start
 
 /**
@@ -96,14 +100,23 @@ class NavigationService : LifecycleService() {
         }
         // A walk that is replayed begins anew, where it began.
         val walkedOn = restored && settings.source == SourceKind.USB
-        if (walkedOn) container.guide.tell(Message.Interrupted)
+        val goal = settings.goal?.takeIf { walkedOn }?.within(building.id, building.plan)
+        if (walkedOn) container.guide.tell(Message.Interrupted(building.plan, goal))
         val start = if (walkedOn) Start() else startAt(building.plan, settings.entrance)
         val recording = RecordingSwitch(container.recordings, building)
         // A walk that is replayed is not recorded again.
         if (settings.source != SourceKind.RECORDING) launch { recording.follow(container.settings.settings.map { it.record }) }
         launch { container.recordings.status.collect(::tellOfRecording) }
-        container.navigator.run(building, start, container.beltSource(settings), container.motion, recording)
+        launch { keepGoal(states) }
+        val wish = goal?.let { Wish.LeadTo(it, RoutePreferences(settings.avoidStairs)) }
+        container.navigator.run(building, start, container.beltSource(settings), container.motion, recording, wish)
     }
+
+    /** Writes down where the wearer is led, so that the way goes on after the app's death. */
+    private suspend fun keepGoal(states: Flow<NavigationState>) = states.filterIsInstance<NavigationState.Running>()
+        .map { state -> state.destination?.let { Goal(state.building.id, it) } }
+        .distinctUntilChanged()
+        .collect { goal -> container.settings.update { it.copy(goal = goal) } }
 
     /** Keeps the notification true, and in the language that is chosen now. */
     private suspend fun notify(states: Flow<NavigationState>) =
@@ -150,7 +163,7 @@ class NavigationService : LifecycleService() {
         if (navigation?.isActive == true) container.guide.tell(Message.Stopped)
         navigation?.cancel()
         lifecycleScope.launch {
-            container.settings.update { it.copy(navigating = false) }
+            container.settings.update { it.copy(navigating = false, goal = null) }
             ServiceCompat.stopForeground(this@NavigationService, ServiceCompat.STOP_FOREGROUND_REMOVE)
             stopSelf()
         }

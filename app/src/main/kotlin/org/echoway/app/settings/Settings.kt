@@ -57,6 +57,7 @@ enum class ThemeChoice {
  * @property entrance name of the way in; null when the wearer does not know it
  * @property recording file name of the log to replay, for [SourceKind.RECORDING]
  * @property navigating whether guidance was on when the app was last alive, so that it goes on after its death
+ * @property goal where the wearer was led when the app was last alive; null nowhere, or back the way they came
  * @property avoidStairs take stairs only when nothing else leads there
  * @property firefighter show the one large screen, and watch for a wearer who does not move
  * @property notMovedAlertS seconds without a movement until the firefighter screen's alert; 0 for never
@@ -73,6 +74,7 @@ data class Settings(
     val source: SourceKind = SourceKind.USB,
     val recording: String? = null,
     val navigating: Boolean = false,
+    val goal: Goal? = null,
     val service: ServiceModel = ServiceModel.CONTINUOUS,
     val verbosity: Verbosity = Verbosity.NORMAL,
     val directions: DirectionStyle = DirectionStyle.SIDES,
@@ -114,6 +116,7 @@ class DataStoreSettings(private val store: DataStore<Preferences>) : SettingsSto
             preferences.put(RECORDING, changed.recording)
             preferences[SOURCE] = changed.source.name
             preferences[NAVIGATING] = changed.navigating
+            preferences.put(GOAL, changed.goal?.written())
             preferences[SERVICE] = changed.service.name
             preferences[VERBOSITY] = changed.verbosity.name
             preferences[DIRECTIONS] = changed.directions.name
@@ -137,6 +140,7 @@ class DataStoreSettings(private val store: DataStore<Preferences>) : SettingsSto
         source = preferences.choice(SOURCE, SourceKind.USB),
         recording = preferences[RECORDING],
         navigating = preferences[NAVIGATING] ?: false,
+        goal = preferences[GOAL]?.let(Goal::read),
         service = preferences.choice(SERVICE, ServiceModel.CONTINUOUS),
         verbosity = preferences.choice(VERBOSITY, Verbosity.NORMAL),
         directions = preferences.choice(DIRECTIONS, DirectionStyle.SIDES),
@@ -167,6 +171,7 @@ class DataStoreSettings(private val store: DataStore<Preferences>) : SettingsSto
         val SOURCE = stringPreferencesKey("source")
         val RECORDING = stringPreferencesKey("recording")
         val NAVIGATING = booleanPreferencesKey("navigating")
+        val GOAL = stringPreferencesKey("goal")
         val SERVICE = stringPreferencesKey("service")
         val VERBOSITY = stringPreferencesKey("verbosity")
         val DIRECTIONS = stringPreferencesKey("directions")

@@ -9,6 +9,7 @@ import android.widget.FrameLayout
 import androidx.test.core.app.ApplicationProvider
 import androidx.test.ext.junit.runners.AndroidJUnit4
 import java.util.concurrent.TimeUnit
+import kotlinx.coroutines.runBlocking
 import org.echoway.app.R
 import org.echoway.app.belt.BeltEvent
 import org.echoway.app.belt.WireSentence
@@ -16,11 +17,14 @@ import org.echoway.app.engine.Line
 import org.echoway.app.engine.NavigationState
 import org.echoway.app.engine.Wish
 import org.echoway.app.guide.Ask
+import org.echoway.app.settings.Goal
 import org.echoway.app.settings.SourceKind
 import org.echoway.app.testing.ScriptedBelt
 import org.echoway.app.touch.Touch
 import org.echoway.core.Destination
+import org.echoway.core.DestinationKind
 import org.echoway.core.Language
+import org.echoway.core.RoutePreferences
 import org.junit.After
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertFalse
@@ -197,6 +201,50 @@ class NavigationServiceTest {
         awaitRunning()
         settle(5_000)
         assertEquals("Guidance was interrupted. Ask the way again.", container.voice.words.first())
+    }
+
+    /** Guidance as Android brings it back after it had killed the app while it led there. */
+    private fun broughtBack(goal: Goal?): NavigationState.Running {
+        container.settings.settings.value =
+            container.settings.settings.value.copy(navigating = true, source = SourceKind.USB, goal = goal, avoidStairs = true)
+        command(action = null)
+        return awaitRunning()
+    }
+
+    @Test fun leadsOnToTheSameDestinationAfterTheSystemKilledIt() {
+        val places = runBlocking { container.buildings.find("torgersen-lab")!! }.plan.places
+        val lectern = Destination(DestinationKind.PLACE, places.indexOfFirst { it.name == "Lectern" })
+        val goal = Goal("torgersen-lab", lectern)
+        assertEquals("from the first moment on", Wish.LeadTo(lectern, RoutePreferences(avoidStairs = true)), broughtBack(goal).leading)
+        settle(5_000)
+        assertEquals("Guidance was interrupted. Destination stays: Lectern.", container.voice.words.first())
+        assertEquals("and again, should it be killed again", goal, container.settings.settings.value.goal)
+    }
+
+    @Test fun aDestinationThatTheBuildingDoesNotHaveMustBeAskedAgain() {
+        assertEquals(null, broughtBack(Goal("torgersen-lab", Destination(DestinationKind.PLACE, 999))).leading)
+        settle(5_000)
+        assertEquals("Guidance was interrupted. Ask the way again.", container.voice.words.first())
+        assertEquals(null, container.settings.settings.value.goal)
+    }
+
+    @Test fun aDestinationOfAnotherBuildingMustBeAskedAgain() {
+        assertEquals(null, broughtBack(Goal("westport-house", Destination.WAY_OUT)).leading)
+    }
+
+    @Test fun theDestinationIsKeptForAsLongAsTheWearerIsLed() {
+        command(NavigationService.ACTION_START)
+        awaitRunning()
+        fun keptAfter(action: String): Goal? {
+            command(action)
+            settle(2_000)
+            return container.settings.settings.value.goal
+        }
+        val wayOut = Goal("torgersen-lab", Destination.WAY_OUT)
+        assertEquals(wayOut, keptAfter(NavigationService.actionOf(Ask.WAY_OUT)))
+        assertEquals(null, keptAfter(NavigationService.actionOf(Ask.STOP_LEADING)))
+        assertEquals(wayOut, keptAfter(NavigationService.actionOf(Ask.WAY_OUT)))
+        assertEquals("stopped for good", null, keptAfter(NavigationService.ACTION_STOP))
     }
 
     @Test fun whoeverWalkedOnBeforeTheSystemKilledItIsNotTakenToBeAtTheEntrance() {

@@ -14,6 +14,8 @@ import kotlinx.coroutines.Job
 import kotlinx.coroutines.cancelAndJoin
 import kotlinx.coroutines.flow.first
 import kotlinx.coroutines.runBlocking
+import org.echoway.core.Destination
+import org.echoway.core.DestinationKind
 import org.echoway.core.DirectionStyle
 import org.echoway.core.Language
 import org.echoway.core.LengthStyle
@@ -38,6 +40,7 @@ class DataStoreSettingsTest {
 
     private val unusual = Settings(
         building = "torgersen-lab", entrance = "Main entrance", source = SourceKind.RECORDING, recording = "a.scans.csv", navigating = true,
+        goal = Goal("my own house", Destination(DestinationKind.PLACE, 3)),
         service = ServiceModel.ON_REQUEST, verbosity = Verbosity.FULL, directions = DirectionStyle.CLOCK, lengths = LengthStyle.METRES,
         avoidStairs = true, firefighter = true, notMovedAlertS = 60, language = Language.FRENCH, theme = ThemeChoice.SMOKE,
         vibration = false, motion = false, volumeKeys = false, record = true, introduced = true,
@@ -55,6 +58,7 @@ class DataStoreSettingsTest {
 
     @Test fun whatAnotherVersionWroteFallsBackToWhatIsUsual() {
         alive { _, store -> store.edit { it[stringPreferencesKey("theme")] = "SEPIA" } }
+        alive { _, store -> store.edit { it[stringPreferencesKey("goal")] = "BALCONY 3 torgersen-lab" } }
         assertEquals(Settings(), alive { settings, _ -> settings.settings.first() })
     }
 
