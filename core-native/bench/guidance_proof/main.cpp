@@ -6,6 +6,9 @@
 // world's echoes, told where the walk starts), search (the tracker told nothing, in a furnished world), cluttered (as
 // furnished, but things stand on the way as well), obstacles (the same with the noisy truth instead of the tracker). A MAP is a
 // building's folder, or office, grid, levels for one made here.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -29,10 +32,7 @@ std::pair<int, int> walks_of(const std::string& which) {
   return dash == std::string::npos ? std::pair{0, number} : std::pair{number, std::atoi(which.c_str() + dash + 1)};
 }
 
-bool is_source(const std::string& name) {
-  constexpr std::array kSources{"noise", "empty", "furnished", "search", "cluttered", "obstacles"};
-  return std::ranges::find(kSources, name) != kSources.end();
-}
+constexpr std::array kSources{"noise", "empty", "furnished", "search", "cluttered", "obstacles"};
 
 int run(int argc, char** argv) {
   using namespace echoway;
@@ -42,8 +42,8 @@ int run(int argc, char** argv) {
   }
   const std::string which = argv[3];
   const std::string source = argv[4];
-  if (!is_source(source)) {
-    std::fprintf(stderr, "guidance_proof: SOURCE %s is none of noise, empty, furnished, search, cluttered and obstacles\n", source.c_str());
+  if (std::ranges::find(kSources, source) == kSources.end()) {
+    fmt::print(stderr, "guidance_proof: SOURCE {} is none of {}\n", source, fmt::join(kSources, ", "));
     return 2;
   }
   proof::Files out{{argv[1], proof::kWalkColumns}, {argv[2], proof::kTraceColumns}, which.front() == '#'};

@@ -74,7 +74,9 @@ class WalkTest {
             override val events = distort(replay.events)
             override val bringsMotion = true
         }
-        backgroundScope.launch { walk.guide.run(navigator.state, navigator.events, MutableStateFlow(Settings())) }
+        val settings = MutableStateFlow(Settings())
+        backgroundScope.launch { walk.guide.follow(settings) }
+        backgroundScope.launch { walk.guide.run(navigator.state, navigator.events, settings) }
         backgroundScope.launch {
             walk.navigator.run(building, start(building.plan.rooms.map { it.id }), belt, MotionSource { emptyFlow() })
         }

@@ -58,12 +58,11 @@ class Guide(
 
     val muted: StateFlow<Boolean> = silenced.asStateFlow()
 
-    /** Observes navigation until it is cancelled. */
+    /** Observes navigation until it is cancelled, first of all as the settings are now; [follow] keeps to them. */
     suspend fun run(states: Flow<NavigationState>, events: Flow<GuidanceEvent>, settings: Flow<Settings>) = coroutineScope {
         silenced.value = false
         adopt(settings.first(), speech.language.value)
         if (!buzzer.present && vibrates) tell(Message.NoVibration)
-        launch { follow(settings) }
         launch { events.collect { event -> announcer.onEvent(event).forEach(::answer) } }
         launch { states.map(::obstacle).distinctUntilChanged().collectLatest { it?.let { tick(it) } } }
         try {
@@ -157,7 +156,7 @@ class Guide(
         vibrates = settings.vibration
         wording = wordings(language)
         manner = Manner(settings.service, settings.verbosity, silenced.value)
-        preferences = RoutePreferences(settings.avoidStairs)
+        preferences = settings.routePreferences
         entrance = settings.entrance
         core.speakIn(SpeechStyle(language, settings.directions, settings.lengths))
     }

@@ -35,7 +35,6 @@ import org.echoway.app.recording.RecordingSwitch
 import org.echoway.app.settings.Goal
 import org.echoway.app.settings.Settings
 import org.echoway.app.settings.SourceKind
-import org.echoway.core.RoutePreferences
 import org.echoway.core.Start
 
 /**
@@ -108,7 +107,7 @@ class NavigationService : LifecycleService() {
         if (settings.source != SourceKind.RECORDING) launch { recording.follow(container.settings.settings.map { it.record }) }
         launch { container.recordings.status.collect(::tellOfRecording) }
         launch { keepGoal(states) }
-        val wish = goal?.let { Wish.LeadTo(it, RoutePreferences(settings.avoidStairs)) }
+        val wish = goal?.let { Wish.LeadTo(it, settings.routePreferences) }
         container.navigator.run(building, start, container.beltSource(settings), container.motion, recording, wish)
     }
 

@@ -14,6 +14,7 @@ import kotlinx.coroutines.flow.map
 import org.echoway.core.DirectionStyle
 import org.echoway.core.Language
 import org.echoway.core.LengthStyle
+import org.echoway.core.RoutePreferences
 
 /** Where echoes come from. */
 enum class SourceKind { USB, SIMULATED_WALK, RECORDING }
@@ -90,6 +91,8 @@ data class Settings(
     val record: Boolean = false,
     val introduced: Boolean = false,
 ) {
+    val routePreferences get() = RoutePreferences(avoidStairs)
+
     companion object {
         /** What firefighters' own motion alarms wait for. */
         const val DEFAULT_ALERT_S = 30

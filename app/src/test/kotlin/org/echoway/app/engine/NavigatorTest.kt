@@ -99,7 +99,10 @@ class NavigatorTest {
         advanceTimeBy(62)
     }
 
-    @Test fun aBeltThatChangesLongAfterTheStartLosesThePlaceAndTheWayBackAndThatIsSaid() = runTest {
+    private data class WayBack(val belt: ScriptedBelt, val navigator: Navigator, val events: List<GuidanceEvent>)
+
+    /** Somebody who has walked for ten seconds and is led back. */
+    private suspend fun TestScope.wayBack(): WayBack {
         val belt = ScriptedBelt()
         val navigator = navigating(Start(room = 1)) { belt }
         val events = eventsOf(navigator)
@@ -107,6 +110,11 @@ class NavigatorTest {
         echoes(belt, 10)
         navigator.ask(Wish.BackTrack)
         runCurrent()
+        return WayBack(belt, navigator, events)
+    }
+
+    @Test fun aBeltThatChangesLongAfterTheStartLosesThePlaceAndTheWayBackAndThatIsSaid() = runTest {
+        val (belt, navigator, events) = wayBack()
         assertEquals(GuidanceEvent.Granted(Wish.BackTrack), events.single())
         belt.send(BeltEvent.Bytes(WireSentence.status(12, "test"), testScheduler.currentTime / 1000.0))
         echoes(belt, 1)
@@ -136,12 +144,7 @@ class NavigatorTest {
     }
 
     @Test fun whoStartsAgainOnTheirWayBackHearsThatItIsLost() = runTest {
-        val belt = ScriptedBelt()
-        val navigator = navigating(Start(room = 1)) { belt }
-        val events = eventsOf(navigator)
-        belt.send(BeltEvent.Attached)
-        echoes(belt, 10)
-        navigator.ask(Wish.BackTrack)
+        val (_, navigator, events) = wayBack()
         val start = Wish.StandAt(Start(room = 0))
         navigator.ask(start)
         runCurrent()

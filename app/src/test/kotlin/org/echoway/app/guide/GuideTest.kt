@@ -62,6 +62,7 @@ class GuideTest {
         val guide = Guide({ Wording.of(context, it) }, SpeechQueue(voice, clock, scope.backgroundScope), buzzer, core, clock)
 
         init {
+            scope.backgroundScope.launch { guide.follow(this@Situation.settings.settings) }
             scope.backgroundScope.launch { guide.run(states, events, this@Situation.settings.settings) }
             scope.runCurrent()
         }
