@@ -48,14 +48,34 @@ void HintIntegrator::integrate_to(double time_s) noexcept {
   }
   const double dt = time_s - clock_;
   if (!(dt > 0.0)) return;
-  const double held = std::min(dt, std::max(0.0, last_rate_time_ + kStaleRate - clock_));
-  turn_ += rate_ * held;
+  hold_rate(std::min(dt, std::max(0.0, last_rate_time_ + kStaleRate - clock_)));
   clock_ = time_s;
+}
+
+void HintIntegrator::hold_rate(double seconds) noexcept {
+  held_ += rate_ * seconds;
+  turn_ += rate_ * seconds;
+}
+
+// A gyroscope reports the turn of the time that has just passed: its filter averages over about as long as its readings
+// lie apart. What was held for that time in want of the reading is replaced, also when it came late.
+void HintIntegrator::on_yaw_rate(double time_s, double rate) noexcept {
+  const double apart = time_s - last_rate_time_;
+  if (apart <= kStaleRate) {
+    turn_ += rate * apart - held_;
+  } else {
+    integrate_to(time_s);
+  }
+  held_ = 0.0;
+  rate_ = rate;
+  last_rate_time_ = time_s;
+  hold_rate(std::clamp(clock_ - time_s, 0.0, kStaleRate));
+  clock_ = std::max(clock_, time_s);
 }
 
 void HintIntegrator::reset_clock() noexcept {
   clock_set_ = false;
-  turn_ = 0.0;
+  turn_ = held_ = 0.0;
   last_rate_time_ = last_heading_time_ = last_step_ = -1e300;
   interval_count_ = 0;
   still_.reset();
@@ -66,11 +86,9 @@ void HintIntegrator::on_hint(const MotionHint& hint) noexcept {
   switch (hint.kind) {
     case MotionKind::yaw_rate:
       if (std::abs(hint.value) > kFastestTurn || hint.time_s < last_rate_time_) return;
-      integrate_to(hint.time_s);
-      rate_ = hint.value;
-      still_.note(hint.time_s, hint.value, hint.time_s - last_step_ < kSettled);
       if (last_rate_time_ < -1e299) first_rate_time_ = hint.time_s;
-      last_rate_time_ = hint.time_s;
+      on_yaw_rate(hint.time_s, hint.value);
+      still_.note(hint.time_s, hint.value, hint.time_s - last_step_ < kSettled);
       break;
     case MotionKind::heading: {
       const double dt = hint.time_s - last_heading_time_;

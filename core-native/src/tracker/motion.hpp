@@ -83,13 +83,17 @@ class HintIntegrator {
   /// Between 0 and 1, by the gyroscope; 0 without one.
   [[nodiscard]] double turning_on_the_spot(double time_s) const noexcept;
 
+  void on_yaw_rate(double time_s, double rate) noexcept;
   void integrate_to(double time_s) noexcept;
+  /// Counts that long of the last rate, until a reading says better.
+  void hold_rate(double seconds) noexcept;
   void forget_future(double time_s) noexcept;
 
   double clock_ = 0.0;
   bool clock_set_ = false;
-  double turn_ = 0.0;
+  double turn_ = 0.0;                ///< Since the interval began.
   double rate_ = 0.0;
+  double held_ = 0.0;                ///< Of it, counted since the last reading by holding that one.
   double first_rate_time_ = 0.0;
   double last_rate_time_ = -1e300;
   double last_heading_ = 0.0;

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "echoway/units.hpp"
 
 namespace echoway::tracker {
 namespace {
@@ -69,6 +72,63 @@ TEST(MotionHints, OneStepIsNoWalkAndThreeAreOne) {
   };
   EXPECT_GT(odds_of_standing(1), 0.03);
   EXPECT_LT(odds_of_standing(3), 0.001);
+}
+
+// Stands for a second, turns by 90 degrees in one, stands again.
+double turned_by(double time_s) { return degrees(90.0) * std::clamp(time_s - 1.0, 0.0, 1.0); }
+
+// The worst error of the heading over three seconds, degrees, of a gyroscope that reports 25 times a second the mean rate of
+// the time since its last report, each reading `late` seconds after its stamp.
+double worst_heading_error(double late) {
+  constexpr double kPeriod = 0.04;
+  HintIntegrator hints;
+  double heading = 0.0;
+  double worst = 0.0;
+  int reported = 0;
+  for (double t = 0.0624; t < 3.0; t += 0.0624) {
+    for (; (reported + 1) * kPeriod + late <= t; ++reported) {
+      const double end = (reported + 1) * kPeriod;
+      hints.on_hint({end, MotionKind::yaw_rate, (turned_by(end) - turned_by(end - kPeriod)) / kPeriod});
+    }
+    heading += hints.close(t, 0.0624).turn;
+    worst = std::max(worst, std::abs(to_degrees(heading - turned_by(t))));
+  }
+  EXPECT_NEAR(to_degrees(heading), 90.0, 0.1) << "of readings " << late << " s late nothing is lost or counted twice";
+  return worst;
+}
+
+TEST(MotionHints, AHeadingDoesNotLagBehindATurn) {
+  // What has been turned since the last reading is guessed from it: at the ends of the turn by 40 ms of 90 degrees a second.
+  EXPECT_LT(worst_heading_error(0.0), 3.6);
+}
+
+TEST(MotionHints, ALateReadingMendsWhatWasGuessedInItsPlace) {
+  EXPECT_LT(worst_heading_error(0.1), 90.0 * (0.04 + 0.1) + 0.1);
+}
+
+// Amid a steady turn nothing is left to guess.
+TEST(MotionHints, ASteadyTurnIsFollowedExactly) {
+  HintIntegrator hints;
+  double heading = 0.0;
+  double t = 0.0;
+  for (int i = 0; i <= 100; ++i) {
+    const double stamp = 0.02 * i;
+    hints.on_hint({stamp, MotionKind::yaw_rate, i > 0 ? degrees(90.0) : 0.0});
+    if (stamp - t < 0.0624) continue;
+    heading += hints.close(stamp + 0.011, stamp + 0.011 - t).turn;
+    t = stamp + 0.011;
+    EXPECT_NEAR(to_degrees(heading), 90.0 * t, 1e-9);
+  }
+}
+
+TEST(MotionHints, AGyroscopeThatFallsSilentTurnsForHalfASecondMoreAndNoFurther) {
+  HintIntegrator hints;
+  for (int i = 0; i <= 25; ++i) hints.on_hint({0.04 * i, MotionKind::yaw_rate, degrees(10.0)});
+  double heading = hints.close(1.0, 1.0).turn;
+  heading += hints.close(3.0, 2.0).turn;
+  EXPECT_NEAR(to_degrees(heading), 15.0, 1e-9);
+  hints.on_hint({3.0, MotionKind::yaw_rate, 0.0});
+  EXPECT_NEAR(to_degrees(hints.close(3.1, 0.1).turn), 0.0, 1e-9) << "what was held stays counted";
 }
 
 }  // namespace
