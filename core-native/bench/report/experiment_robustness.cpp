@@ -71,6 +71,10 @@ std::vector<Nuisance> nuisances() {
          s.walk.world.temperature_c = celsius_for(level / 100.0);
          s.walk.world.temperature_gradient_k_per_m = 0.0;
        }},
+      {"phone swinging in a pocket (degrees)",
+       {0, 4, 8, 12, 16},
+       [](Setting& s, double level, int) { s.walk.world.phone_swing_rad = degrees(level); },
+       0},
       {"walls off (cm)",
        {0, 2, 5, 10, 20},
        [](Setting& s, double level, int number) {

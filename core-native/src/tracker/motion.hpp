@@ -30,7 +30,7 @@ struct MotionParameters {
   double sway = 0.04;                    ///< m per root second, any direction: gait, side steps.
   double gyro_bias_sigma = degrees(0.8); ///< rad/s, as phones come out of their own calibration.
   double gyro_bias_drift = degrees(0.05);///< rad/s per root second.
-  double gyro_noise = degrees(0.8);      ///< rad per root second.
+  double gyro_noise = degrees(3.0);      ///< rad per root second: more than any gyroscope's own, for phones swing on thighs.
   // Without a gyroscope. Rates in 1/s, speeds in rad/s.
   double turn_rate_walking = 0.45;       ///< Turns begin so often while walking,
   double turn_rate_standing = 0.70;      ///< so often while standing,

@@ -134,6 +134,30 @@ TEST(SimNuisances, TheChestSwaysWithEveryStrideAndNotAtRest) {
   EXPECT_NEAR(to_degrees(walking), 5.0, 1.0);
 }
 
+// How far the gyroscope's readings swing about the way that is walked, degrees.
+double swing_of(double phone_swing) {
+  Walk walk;
+  walk.world = ideal_world();
+  walk.world.phone_swing_rad = phone_swing;
+  walk.start = {"office", {1.0, 1.0}};
+  walk.start_heading = kPi / 2.0;
+  walk.add(GoTo{{"office", {1.0, 6.0}}});
+  double turned = 0.0, low = 0.0, high = 0.0, before = 0.0;
+  for (const MotionHint& hint : run(walk).motion) {
+    if (hint.kind != MotionKind::yaw_rate) continue;
+    turned += hint.value * (hint.time_s - before);
+    before = hint.time_s;
+    low = std::min(low, turned);
+    high = std::max(high, turned);
+  }
+  return to_degrees(high - low) / 2.0;
+}
+
+TEST(SimNuisances, APhoneOnAThighTurnsWithEveryStrideThoughTheChestDoesNot) {
+  EXPECT_LT(swing_of(0.0), 0.1);
+  EXPECT_NEAR(swing_of(degrees(10.0)), 10.0, 1.0);
+}
+
 TEST(SimNuisances, TheLeafOfAnOpenDoorStandsInARoom) {
   World leaves = ideal_world();
   leaves.door_leaves = 1.0;

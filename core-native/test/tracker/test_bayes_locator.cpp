@@ -9,6 +9,7 @@
 #include "echoway/building/loader.hpp"
 #include "echoway/sim/random_walk.hpp"
 #include "echoway/sim/simulate.hpp"
+#include "echoway/units.hpp"
 #include "tracker/plans.hpp"
 #include "tracker/play.hpp"
 
@@ -74,6 +75,23 @@ TEST(BayesLocator, HoldsAWearerAmongMoreStrangersThanThingsOfThePlan) {
     BayesLocator locator(building, walk.scans.belt.apply_to({}), start_at(building, walk.truth.front()), {.seed = seed});
     EXPECT_LT(follow(locator, building, walk, true).mean_m, 1.0) << "walk " << seed;
   }
+}
+
+// On a thigh the phone turns with every stride though the belt does not.
+TEST(BayesLocator, HoldsAWearerWhosePhoneSwingsInATrouserPocket) {
+  const Building building = *load_building(std::string(ECHOWAY_MAPS_DIR) + "/torgersen-lab");
+  double mean_m = 0.0;
+  for (std::uint64_t seed = 4; seed <= 7; ++seed) {
+    sim::RandomWalkOptions options;
+    options.duration_s = 60.0;
+    sim::Walk plan = sim::random_walk(building, options, seed * 101 + 7);
+    plan.world.phone_swing_rad = degrees(16.0);
+    plan.world.step_length_m = 0.4;
+    const auto walk = *sim::simulate(building, plan);
+    BayesLocator locator(building, walk.scans.belt.apply_to({}), start_at(building, walk.truth.front()), {.seed = seed});
+    mean_m += follow(locator, building, walk, true).mean_m / 4.0;
+  }
+  EXPECT_LT(mean_m, 0.7) << "metres; a tracker that trusts the gyroscope loses one of these";
 }
 
 TEST(BayesLocator, FindsAWearerOfWhomNothingIsKnown) {

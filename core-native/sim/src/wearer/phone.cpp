@@ -19,13 +19,18 @@ void sense_steps(const Trajectory& trajectory, const World& world, Random random
   }
 }
 
+// A phone on the trunk turns as the chest does; one on a thigh swings besides.
+double turned(const Moment& moment, const World& world) {
+  return moment.yaw + gait_of(moment.speed) * world.phone_swing_rad * std::sin(moment.stride);
+}
+
 // The mean rate since the last report, as a gyroscope with an anti-alias filter gives it.
 void sense_yaw(const Trajectory& trajectory, const World& world, Random random, std::vector<MotionHint>& hints) {
   const double period = 1.0 / world.gyro_rate_hz;
   const double bias = world.gyro_bias_rad_s;
-  double before = trajectory.at(0.0).yaw;
+  double before = turned(trajectory.at(0.0), world);
   for (double t = period; t <= trajectory.duration(); t += period) {
-    const double yaw = trajectory.at(t).yaw;
+    const double yaw = turned(trajectory.at(t), world);
     hints.push_back(
         {t, MotionKind::yaw_rate, (yaw - before) / period + bias + world.gyro_noise_rad_s * random.normal()});
     before = yaw;

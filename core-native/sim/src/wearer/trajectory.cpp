@@ -23,6 +23,8 @@ constexpr double kLongest = 3.0 * 3600.0;  // s; a longer walk is a slip of the 
 
 }  // namespace
 
+double gait_of(double speed) noexcept { return std::min(1.0, speed / 0.4); }
+
 // Moves the wearer in small steps of time and keeps what happened.
 class Walker {
  public:
@@ -237,7 +239,7 @@ class Walker {
 
   // Weaving and swaying belong to the chest that carries the belt, not to the way the feet take.
   void record() {
-    const double gait = std::min(1.0, speed_ / 0.4);
+    const double gait = gait_of(speed_);
     const double sway = gait * world_.yaw_sway_rad * std::sin(stride_);
     const double aside = gait * world_.side_sway_m * std::sin(stride_ + 0.6);
     const Pose2 chest{body_.position + aside * perpendicular(unit_from_angle(body_.heading)),

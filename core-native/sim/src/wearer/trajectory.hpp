@@ -25,6 +25,9 @@ struct Moment {
   [[nodiscard]] const Pose2& heard_from() const noexcept { return between.present ? between.pose : pose; }
 };
 
+/// How far limbs and trunk swing at that speed (m/s), as a share of an ordinary walk's: 0 ... 1.
+[[nodiscard]] double gait_of(double speed) noexcept;
+
 /// Something that happens to the belt or the building while the wearer walks.
 struct Event {
   double time_s = 0.0;
