@@ -154,7 +154,11 @@ Status Router::route_from(const Spot& from, const RouteTree& tree, Route& route,
   Spot start = from;
   const FreeSpace& free = space(from.room);
   if (!free.contains(start.at) || free.clearance(start.at, 0.02) < 0.02) start.at = free.settle(start.at, 0.02);
-  const Connection first = connect(start, tree, bound_for);
+  Connection first = connect(start, tree, bound_for);
+  if (!(first.cost < kInfinity)) {  // in a gap that hardly lets a walker through: from before it
+    start.at = free.settle(start.at, config_.clearances.front().radius);
+    first = connect(start, tree, bound_for);
+  }
   if (!(first.cost < kInfinity)) {
     return Error{"no safe way leads from " + room_label(*building_, from.room) + " to the destination in " +
                  room_label(*building_, tree.targets.front().spot.room) +

@@ -248,6 +248,16 @@ TEST(Router, LeavesAWallThatItIsToldToStartIn) {
   }
 }
 
+TEST(Router, LeadsOutOfAGapThatJustLetsAWalkerThroughFromAnywhereInIt) {
+  Building b;
+  b.rooms.push_back(make_box("1", 5, 4));
+  b.rooms[0].reflectors.push_back({{0.5, 2.5}, {1.5, 2.5}});
+  const Router router(b);
+  for (double x = 0.02; x < 0.5; x += 0.02) {
+    for (double y = 2.21; y < 2.8; y += 0.02) EXPECT_TRUE(router.find_route({0, {x, y}}, spot(0, {4, 1}))) << x << ' ' << y;
+  }
+}
+
 TEST(Router, ReachesAPlaceThatStandsAgainstAWall) {
   Building b;
   b.rooms.push_back(make_box("1", 6, 6));
