@@ -81,16 +81,21 @@ std::optional<Doorway> MetFrame::next_doorway(RoomIndex room, const Way& way) co
   return door == nullptr ? std::nullopt : Doorway::of(*router_, room, door->index, config_->body_m);
 }
 
+bool MetFrame::is_known(const Estimate& e, std::int32_t door) const noexcept {
+  return door_ == door && room_ == e.room && e.time_s - met_s_ < kLasts;
+}
+
+Pose2 MetFrame::taken_pose(const Estimate& e, std::int32_t door) const noexcept {
+  return {is_known(e, door) ? e.pose.position - aside_ * along_ : e.pose.position, e.pose.heading};
+}
+
 bool MetFrame::meet(const View& view, const Way& way) {
   const Estimate& e = *view.estimate;
   const auto doorway = next_doorway(e.room, way);
   if (!doorway || !may_meet(*doorway, e.pose.position, unit_from_angle(e.pose.heading))) return false;
   const std::int32_t door = way.first_door().door->index;
-  const bool again = door_ == door && room_ == e.room && view.now - met_s_ < kLasts;
-  if (!again) begin(*doorway, door, e);
-  Pose2 taken = e.pose;  // without what was found so far
-  taken.position = taken.position - aside_ * along_;
-  weigh(*doorway, taken, view.now);
+  if (!is_known(e, door)) begin(*doorway, door, e);
+  weigh(*doorway, taken_pose(e, door), view.now);
   settle();
   met_s_ = view.now;
   return true;
@@ -98,8 +103,12 @@ bool MetFrame::meet(const View& view, const Way& way) {
 
 bool MetFrame::hear(const View& view, const Way& way) {
   const Estimate& e = *view.estimate;
+  constexpr double kJamb = 0.15;  // metres: so far inside the opening only the opening lies before the wearer
   const auto doorway = next_doorway(e.room, way);
-  return doorway && hears_wall(*doorway, e.pose, view.now) && meet(view, way);
+  if (!doorway) return false;
+  const Vec2 taken = taken_pose(e, way.first_door().door->index).position;
+  const bool before_opening = std::abs(doorway->beside(taken)) < 0.5 * doorway->width() - kJamb;
+  return before_opening && hears_wall(*doorway, e.pose, view.now) && meet(view, way);
 }
 
 /// Whether there is a wall right before the wearer where the plan has the opening.

@@ -28,7 +28,7 @@ class MetFrame {
   /// The wearer has met something before their chest. True where that may have been the frame of the way's next door: their
   /// place is another one from now on.
   [[nodiscard]] bool meet(const View& view, const Way& way);
-  /// The same of who is about to go there, and hears a wall right before them where the plan has the opening.
+  /// The same of who is about to go there, is taken to be right before the opening, and hears a wall there.
   [[nodiscard]] bool hear(const View& view, const Way& way);
   /// What was found holds while the place goes on as the wearer does: one that moves although they stand was wrong before.
   void watch(const Estimate& estimate, bool walking) noexcept;
@@ -47,6 +47,9 @@ class MetFrame {
   [[nodiscard]] bool hears_wall(const Doorway& doorway, const Pose2& pose, double now) const noexcept;
   void weigh(const Doorway& doorway, const Pose2& taken, double now) noexcept;
   void settle() noexcept;
+  /// Whether something is known of that door's frame already, and where the tracker alone has them.
+  [[nodiscard]] bool is_known(const Estimate& e, std::int32_t door) const noexcept;
+  [[nodiscard]] Pose2 taken_pose(const Estimate& e, std::int32_t door) const noexcept;
 
   const Router* router_;
   const GuideConfig* config_;

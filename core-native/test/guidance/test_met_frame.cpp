@@ -71,6 +71,21 @@ TEST_F(MetFrameTest, NobodyHasMetItWhoWasNotAboutToGoThrough) {
   EXPECT_FALSE(meet()) << "it is two metres away";
 }
 
+TEST_F(MetFrameTest, WhoStandsBesideTheDoorHearsTheWallThatThePlanHasThere) {
+  const auto hears_wall_from = [&](Vec2 position, double heading_deg) {
+    heard.clear();
+    stop_at(position, heading_deg);
+    for (int pass = 0; pass < 2; ++pass) {
+      for (int i = 0; i < config.belt.sensors; ++i) heard.on_firing({here.time_s - 0.9 + 0.4 * pass, i, 0.27});
+    }
+    const View view{.estimate = &here, .now = here.time_s};
+    return frame.hear(view, way);
+  };
+  EXPECT_FALSE(hears_wall_from({3.6, 1.4}, 30.0)) << "about to go through, but not before the opening yet";
+  EXPECT_EQ(aside(), 0.0);
+  EXPECT_TRUE(hears_wall_from({3.6, 2.0}, 0.0));
+}
+
 TEST_F(MetFrameTest, WhatWasFoundHoldsNoLongerOnceThePlaceMovesThoughTheyStand) {
   stop_at({3.6, 2.0}, 20.0);
   frame.watch(here, false);
