@@ -17,9 +17,13 @@ class TurnWatch {
     if (std::abs(turn) < kNoTurn) turned_ = wrap_angle(turned_ + turn);
     constexpr double kWindow = 0.5;           // s
     constexpr double kTurns = degrees(12.0);  // in that time; a walker veers by less, and so does an estimate
+    const bool turns = now - since_ < 2.0 * kWindow && std::abs(wrap_angle(heading - heading_)) > kTurns;
+    if (turns) {
+      turning_ = true;  // known at once, not only when the window closes
+      turned_s_ = now;
+    }
     if (now - since_ < kWindow) return;
-    turning_ = now - since_ < 2.0 * kWindow && std::abs(wrap_angle(heading - heading_)) > kTurns;
-    if (turning_) turned_s_ = now;
+    turning_ = turns;
     heading_ = heading;
     since_ = now;
   }
