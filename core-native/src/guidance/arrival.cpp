@@ -6,6 +6,13 @@
 #include "guidance/surroundings.hpp"
 
 namespace echoway::guidance {
+namespace {
+
+/// A pace that was seen counts for less from look to look: who slows down for good walks at another.
+constexpr double kFades = 0.97;
+
+}  // namespace
+
 void Arrival::note_room(const Estimate& e) noexcept {
   if (e.room != room_) room_since_ = e.time_s;
   room_ = e.room;
@@ -64,13 +71,36 @@ Cue Arrival::cue_for(const Pose2& pose) const {
   return cue;
 }
 
-bool Arrival::tell(const View& view, bool holding, Announcer& voice) {
+/// Whether a walker is too vaguely known, or would stop too far beyond.
+bool Arrival::walks_past(const View& view) const {
+  constexpr double kKnown = 0.4;   // metres
+  constexpr double kBeyond = 1.2;  // metres
+  if (!view.walking) return false;
+  const Estimate& e = *view.estimate;
+  const Vec2 ahead = unit_from_angle(e.pose.heading);
+  const double on = router_->space(e.room).reach(e.pose.position, ahead, reaction_->way(make_cue(CueKind::stop), view.speed));
+  return e.sigma_m > kKnown || distance(e.pose.position + on * ahead, way_->route().waypoints.back().at) > kBeyond;
+}
+
+/// A tracker has who stops, or walks into something, go on for a moment, and takes them back a second later.
+bool Arrival::comes_to_a_stand(const View& view, bool holding) const noexcept {
+  constexpr double kSlows = 0.75;   // share of the pace
+  constexpr double kSettles = 1.0;  // s
+  if (view.walking) return holding || view.speed < kSlows * pace_;
+  return view.now - view.still_since < kSettles;
+}
+
+Arrival::Now Arrival::tell(const View& view, bool holding, Announcer& voice) {
+  pace_ = view.walking ? std::max(view.speed, kFades * pace_) : 0.0;
   const bool there = way_->route().waypoints.back().room == view.estimate->room && is_there(view, holding);
   there_since_ = there ? std::min(there_since_, view.now) : kNotThere;
-  if (!there) return false;
-  if (told_at_ < 0.0 && !is_place_known(view)) return !view.walking && is_place_sharp(view);
-  if (told_at_ < 0.0 && voice.offer(cue_for(view.estimate->pose), view.now)) told_at_ = view.now;
-  return true;
+  if (!there) return Now::elsewhere;
+  if (told_at_ >= 0.0) return Now::there;
+  if (!is_place_known(view)) return !view.walking && is_place_sharp(view) ? Now::there : Now::elsewhere;
+  if (comes_to_a_stand(view, holding)) return Now::there;
+  if (walks_past(view)) return Now::walks_past;
+  if (voice.offer(cue_for(view.estimate->pose), view.now)) told_at_ = view.now;
+  return Now::there;
 }
 
 }  // namespace echoway::guidance

@@ -30,15 +30,21 @@ class Arrival {
   };
   /// How it goes on after it was told.
   [[nodiscard]] After after(const View& view) noexcept;
-  /// Tells it to who is there, or will be when it is said; true while there is nothing else to say. `holding`: the last
-  /// instruction is still being carried out.
-  [[nodiscard]] bool tell(const View& view, bool holding, Announcer& voice);
+  enum class Now : std::uint8_t {
+    elsewhere,
+    there,        ///< There is nothing else to say.
+    walks_past,   ///< They are to stop first: where they are then is soon known better.
+  };
+  /// Tells it to who is there, or will be when it is said. `holding`: the last instruction is still being carried out.
+  [[nodiscard]] Now tell(const View& view, bool holding, Announcer& voice);
 
  private:
   static constexpr double kNotThere = 1e300;
   [[nodiscard]] bool is_place_known(const View& view) const noexcept;
   [[nodiscard]] bool is_place_sharp(const View& view) const noexcept;
   [[nodiscard]] bool is_there(const View& view, bool holding) const;
+  [[nodiscard]] bool walks_past(const View& view) const;
+  [[nodiscard]] bool comes_to_a_stand(const View& view, bool holding) const noexcept;
   [[nodiscard]] Cue cue_for(const Pose2& pose) const;
 
   const Router* router_;
@@ -47,6 +53,7 @@ class Arrival {
   const Reaction* reaction_;
   RoomIndex room_ = kNoRoom;   ///< The wearer is in this room
   double room_since_ = -1e300; ///< since then.
+  double pace_ = 0.0;          ///< At which they walked last, m/s.
   double told_at_ = -1.0;      ///< Negative before.
   double there_since_ = kNotThere;  ///< They have been at the destination since then.
 };

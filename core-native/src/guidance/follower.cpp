@@ -157,7 +157,9 @@ void Follower::update(const Estimate& newest, bool vague, bool turning, Announce
 
 void Follower::lead_on(const View& view, bool turning, Announcer& voice) {
   const bool holding = steering_.is_holding(view.now);
-  if (arrival_.tell(view, holding, voice) || levels_.take(view, voice) || holding) return;
+  const Arrival::Now arrival = arrival_.tell(view, holding, voice);
+  if (arrival == Arrival::Now::walks_past) steering_.stop(view, voice);
+  if (arrival != Arrival::Now::elsewhere || levels_.take(view, voice) || holding) return;
   if (steering_.point_to_door(view, voice) || steering_.halt(view, voice) || turning || steering_.turn(view, voice) || steering_.go_on(view, voice)) return;
   herald_.tell(view, voice);
 }
@@ -167,10 +169,10 @@ std::optional<double> Follower::direction_from(const Estimate& e) {
   return heading ? std::optional(wrap_angle(*heading - e.pose.heading)) : std::nullopt;
 }
 
-CueTail Follower::next_step(const Estimate& e) {
+CueTail Follower::next_step(const Estimate& e, const Cue& line, const Announcer& voice, bool asked) {
   const Estimate here = steering_.place(e);
   if (!active() || !find_way(here)) return {};
-  return steering_.as_tail(look(here, false));
+  return steering_.as_tail(look(here, false), line, voice, asked);
 }
 
 }  // namespace echoway::guidance

@@ -53,8 +53,8 @@ class Follower {
   /// The wearer wants to hear again which way to go: what they were told need not be done first.
   void tell_again() noexcept;
 
-  /// What to do next from here, as the tail of another line.
-  [[nodiscard]] CueTail next_step(const Estimate& estimate);
+  /// What to do next from here, as the tail of `line`, which is told now, because the wearer has `asked` or by itself.
+  [[nodiscard]] CueTail next_step(const Estimate& estimate, const Cue& line, const Announcer& voice, bool asked);
 
   /// Where the way leads from here, from the chest; none where there is none.
   [[nodiscard]] std::optional<double> direction_from(const Estimate& estimate);

@@ -230,13 +230,13 @@ bool Guide::Impl::be_found() {
   if (!voice.would_speak(plain, now, asked)) return false;
   Cue cue = plain;
   if (follower.active()) {
-    if (!turning.turning() && !search.sets_off(now)) cue.tail = follower.next_step(estimate);
+    if (!turning.turning() && !search.sets_off(now)) cue.tail = follower.next_step(estimate, plain, voice, asked);
   } else {
     const Cue door = guidance::nearest_door(*router, estimate);
     if (door.distance_m >= 0.0) cue.tail = {CueKind::door, true, door.direction, -1.0};
   }
   voice.forget_search();
-  if (!voice.offer(cue, now, asked)) (void)voice.offer(plain, now, asked);  // no turn that takes back another
+  (void)voice.offer(cue, now, asked);
   search.end();
   rooms.was_told(estimate.room);
   return true;

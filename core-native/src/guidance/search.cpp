@@ -89,13 +89,14 @@ Cue Search::next_request(double now, std::span<const Hypothesis> places, std::op
   const auto way = heard_->way(probe.direction, now);
   const bool tells = probe.action == Probe::Action::step && way && *way > kStepFree && heard_->answers(probe.direction, now);
   if (tells && std::abs(wrap_angle(probe.direction - onward)) < kBack) return move_to(probe.direction, now, places);
-  const auto free = freest(wanted.value_or(onward), now);
+  const auto free = freest(wanted.value_or(onward), now, places);
   return free ? move_to(*free, now, places) : turn;
 }
 
 /// Of the directions that can be told the one where the way is free farthest; about the preferred one rather than others.
-/// One from which nothing answers only where there is no other: there may be a wall right beside the wearer.
-std::optional<double> Search::freest(double preferred, double now) const {
+/// One from which nothing answers only where there is no other: there may be a wall right beside the wearer. One where the
+/// likely places have a wall counts as much less: it may be too near to be heard, or be taken for a hand.
+std::optional<double> Search::freest(double preferred, double now, std::span<const Hypothesis> places) const {
   constexpr double kSame = degrees(46.0);
   constexpr double kRather = 2.0;
   constexpr double kFarEnough = 4.0;  // metres
@@ -107,12 +108,26 @@ std::optional<double> Search::freest(double preferred, double now) const {
     if (!way || *way < kStepFree) continue;
     const double off = std::abs(wrap_angle(direction - preferred));
     const double known = heard_->answers(direction, now) ? 1.0 : kSilent;
-    const double worth = known * std::min(*way, kFarEnough) * (off < kSame ? kRather - off / kPi : 1.0);
+    const double planned = std::max(kSilent, share_free(direction, places));
+    const double worth = known * planned * std::min(*way, kFarEnough) * (off < kSame ? kRather - off / kPi : 1.0);
     if (worth <= most) continue;
     most = worth;
     best = direction;
   }
   return best;
+}
+
+/// How likely the plan leaves room for a step there, by the places where the wearer may be; 1 where nobody knows of any.
+double Search::share_free(double direction, std::span<const Hypothesis> places) const noexcept {
+  double all = 0.0;
+  double free = 0.0;
+  for (const Hypothesis& h : places) {
+    if (!router_->building().has_room(h.room) || !is_finite(h.pose)) continue;
+    const Vec2 then = unit_from_angle(h.pose.heading + direction);
+    all += h.probability;
+    if (router_->space(h.room).reach(h.pose.position, then, kStepFree) >= kStep) free += h.probability;
+  }
+  return all > 0.0 ? free / all : 1.0;
 }
 
 /// Facing that way first: a step aside or back looks to whoever counts steps like one ahead.

@@ -43,7 +43,8 @@ class Search {
   [[nodiscard]] bool tell_uncertain(double now, bool asked, Announcer& voice);
   [[nodiscard]] bool stop_before_echo(const Estimate& estimate, Announcer& voice) const;
   [[nodiscard]] Cue next_request(double now, std::span<const Hypothesis> places, std::optional<double> wanted) const;
-  [[nodiscard]] std::optional<double> freest(double preferred, double now) const;
+  [[nodiscard]] std::optional<double> freest(double preferred, double now, std::span<const Hypothesis> places) const;
+  [[nodiscard]] double share_free(double direction, std::span<const Hypothesis> places) const noexcept;
   [[nodiscard]] Cue move_to(double direction, double now, std::span<const Hypothesis> places) const;
   [[nodiscard]] double length_of_move(double direction, double now, std::span<const Hypothesis> places) const;
   [[nodiscard]] bool is_near_stairs(const Hypothesis& place) const;

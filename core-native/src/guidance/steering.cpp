@@ -352,14 +352,16 @@ bool Steering::go_on(const View& view, Announcer& voice) {
   return true;
 }
 
-CueTail Steering::as_tail(const View& view) {
+CueTail Steering::as_tail(const View& view, const Cue& line, const Announcer& voice, bool asked) {
   begin_leg();
   way_->told_new();
   if (view.walking || std::abs(view.off) <= config_->ahead_rad) return {};
   if (!outlook_.clear_ahead(view, make_cue(CueKind::turn), understood(view.off), {})) return {};
-  constexpr double kHold = 3.0;  // s
-  pacing_.hold_until = view.now + kHold;
-  return {CueKind::turn, true, view.off, -1.0};
+  Cue whole = line;
+  whole.tail = {CueKind::turn, true, view.off, -1.0};
+  if (!voice.would_speak(whole, view.now, asked)) return {};  // it takes back another turn
+  hold_after(whole, view);
+  return whole.tail;
 }
 
 }  // namespace echoway::guidance

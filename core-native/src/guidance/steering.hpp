@@ -33,6 +33,8 @@ class Steering {
   // Each offers at most one line; true when that is all there is to say now.
   /// Where the door is, to who has just met its frame or hears a wall where the plan has it.
   [[nodiscard]] bool point_to_door(const View& view, Announcer& voice);
+  /// "Stop", to who walks where they are to be.
+  void stop(const View& view, Announcer& voice) { (void)say_stop(view, make_cue(CueKind::stop), voice); }
   /// "Stop" before a wall in the walking direction, nearer than the wearer can be turned in.
   [[nodiscard]] bool halt(const View& view, Announcer& voice);
   /// A turn, or a bend while walking.
@@ -40,9 +42,9 @@ class Steering {
   /// "Go straight", once a leg; again to a wearer who stands on a clear way for long.
   [[nodiscard]] bool go_on(const View& view, Announcer& voice);
 
-  /// Where to turn from here, as the tail of another line; not present when it goes straight on, and to who walks: they are
-  /// told where they can turn in time.
-  [[nodiscard]] CueTail as_tail(const View& view);
+  /// Where to turn from here, as the tail of `line`, which is told now, because the wearer has `asked` or by itself; not present
+  /// when it goes straight on, and to who walks: they are told where they can turn in time.
+  [[nodiscard]] CueTail as_tail(const View& view, const Cue& line, const Announcer& voice, bool asked);
 
   /// The last instruction is still being carried out.
   [[nodiscard]] bool is_holding(double now) const noexcept { return now < pacing_.hold_until; }

@@ -172,6 +172,38 @@ TEST_F(GuideTest, NobodyHasArrivedOnAPlaceThatIsNotKnown) {
   EXPECT_THAT(kinds(wearer.stay(1.4, blurred)), Not(Contains(CueKind::arrived)));
 }
 
+TEST_F(GuideTest, NobodyHasArrivedWhereTheyAreThoughtToWalkOnWhileTheyComeToAStand) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  Estimate walking = at(0, 1, {4.0, 1.0}, 90.0);
+  (void)wearer.stay(1.5, walking);
+  walking.speed_mps = 0.7;
+  std::vector<Cue> cues;
+  for (; walking.pose.position.y < 2.7; walking.pose.position.y += 0.7 * kSlot) (void)wearer.stay(kSlot, walking);
+  for (; walking.speed_mps > 0.25; walking.speed_mps -= 0.4 * kSlot) {  // has met something at 2.7
+    walking.pose.position.y += walking.speed_mps * kSlot;
+    for (const Cue& cue : wearer.stay(kSlot, walking)) cues.push_back(cue);
+  }
+  EXPECT_GT(walking.pose.position.y, 3.2) << "taken to be there";
+  for (const Cue& cue : wearer.stand(6.0, 1, {4.0, 2.7}, 90.0)) cues.push_back(cue);
+  EXPECT_THAT(kinds(cues), Not(Contains(CueKind::arrived)));
+  EXPECT_TRUE(guide.has_destination());
+}
+
+TEST_F(GuideTest, WhoWalksUpVaguelyKnownIsStoppedAndToldThatTheyHaveArrivedOnceTheyStandThere) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  Estimate walking = at(0, 1, {4.0, 1.0}, 90.0);
+  walking.sigma_m = 0.55;
+  (void)wearer.stay(1.5, walking);
+  walking.speed_mps = 0.7;
+  std::vector<Cue> cues;
+  for (; walking.pose.position.y < 3.8; walking.pose.position.y += 0.7 * kSlot) {
+    for (const Cue& cue : wearer.stay(kSlot, walking)) cues.push_back(cue);
+  }
+  EXPECT_THAT(kinds(cues), Contains(CueKind::stop));
+  EXPECT_THAT(kinds(cues), Not(Contains(CueKind::arrived)));
+  EXPECT_THAT(kinds(wearer.stand(4.0, 1, {4.0, 3.8}, 90.0)), Contains(CueKind::arrived));
+}
+
 TEST_F(GuideTest, WhoStandsAtTheirDestinationIsToldSoInTheEndThoughTheEchoesDoNotFit) {
   (void)wearer.stand(3.0, 1, {4, 3.6}, 0.0);
   Estimate unfit = at(0, 1, {4, 3.6}, 0.0);
@@ -202,6 +234,17 @@ TEST_F(GuideTest, LostItSaysSoAndNothingElseUntilItIsFound) {
   const auto found = std::find_if(then.begin(), then.end(), [](const Cue& c) { return c.kind == CueKind::found; });
   ASSERT_NE(found, then.end());
   EXPECT_EQ(found->tail.kind, CueKind::turn);
+}
+
+TEST_F(GuideTest, WhoIsFoundAndTurnedIsGivenTheTimeForIt) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  (void)wearer.stand(3.0, 0, {1, 2.5}, 90.0);
+  (void)wearer.stay(8.5, lost(0));
+  std::vector<Cue> found;
+  while (found.empty() && wearer.now < 15.0) found = wearer.stand(kSlot, 0, {1, 2.5}, 90.0);
+  ASSERT_THAT(kinds(found), ElementsAre(CueKind::found));
+  ASSERT_EQ(found.front().tail.kind, CueKind::turn);
+  EXPECT_THAT(wearer.stand(4.0, 0, {1, 2.5}, 90.0), IsEmpty()) << "half of it is listening";
 }
 
 TEST_F(GuideTest, BelievesAPlaceLessReadilyEachTimeItIsLostAgain) {
@@ -387,6 +430,20 @@ TEST_F(GuideTest, LostItSendsTheWearerRatherToWhereSomethingAnswers) {
   });
   ASSERT_FALSE(ways.empty());
   for (const double way : ways) EXPECT_LT(way, degrees(-20.0));
+}
+
+TEST_F(GuideTest, LostItSendsTheWearerRatherToWhereTheLikelyPlacesHaveNoWall) {
+  (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
+  const std::vector<Hypothesis> places = {{0, {{0.3, 2.5}, kPi}, 0.3, 0.8}, {0, {{2.5, 2.5}, 0.0}, 0.3, 0.2}};
+  const auto cues = wearer.hear(40.0, lost(0), [](double bearing) { return std::abs(bearing) < degrees(80.0) ? 3.0 : 2.0; }, places);
+  int asked = 0;
+  for (const Cue& cue : cues) {
+    const auto way = way_asked_for(cue);
+    if (!way) continue;
+    ++asked;
+    EXPECT_NE(sector_of(*way), Sector::ahead) << "a wall that is too near to be heard";
+  }
+  EXPECT_GE(asked, 1);
 }
 
 TEST_F(GuideTest, LostItDoesNotSendTheWearerWhereAnEchoMayBeAHandOrAWall) {
