@@ -6,7 +6,7 @@ namespace echoway {
 
 enum class MotionKind : std::uint8_t {
   step,      ///< The phone's step detector saw a step; `value` is 1. May be missed, invented, or up to 0.3 s late.
-  yaw_rate,  ///< Gyroscope about the vertical, `value` in rad/s, counter-clockwise, of the time since its last reading. Biased.
+  yaw_rate,  ///< Gyroscope about the vertical since its last reading, `value` in rad/s, counter-clockwise. Biased.
   heading,   ///< Absolute heading, `value` in rad in the level's frame; drifts.
 };
 
