@@ -111,7 +111,7 @@ Result<Inputs> read_inputs(const LocateOptions& options, const Building& buildin
   }
   for (const LoggedRestart& restart : inputs.scans.restarts) {
     const Result<Start> start = restart.start_in(building);
-    if (!start) return Error{fmt::format("at {:.2f} s {}", restart.time_s, start.error().message), options.scans};
+    if (!start) return Error{fmt::format("at {:.2f} s {}", restart.time_s, start.error().message), options.scans, restart.line};
     inputs.restarts.push_back(*start);
   }
   return inputs;

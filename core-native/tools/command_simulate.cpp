@@ -107,7 +107,7 @@ Status scan_at(const Options& options) {
   ring.belt.radius_m = options.radius_m;
   for (const double bearing : options.bearings) ring.bearings_rad.push_back(degrees(bearing));
   const Result<ScanLog> log = sim::scan_at(*building, world, ring, *stands, options.seed.value_or(1));
-  if (!log.ok()) return log.error();
+  if (!log.ok()) return Error{log.error().message, log.error().line > 0 ? options.stands : "", log.error().line};
   return write_scan_log(*log, options.out + ".scans.csv");
 }
 

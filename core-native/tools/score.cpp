@@ -32,8 +32,8 @@ Placed interpolate(const TruthRow& before, const Placed& from, const TruthRow& a
            wrap_angle(from.pose.heading + share * turn)}};
 }
 
-Error unknown_room(const std::string& log, const std::string& file, const std::string& room) {
-  return {log + " names room '" + room + "', which the building does not have", file};
+Error unknown_room(const std::string& log, const std::string& file, const TruthRow& row) {
+  return {log + " names room '" + row.room + "', which the building does not have", file, row.line};
 }
 
 /// By how much a row is off.
@@ -49,9 +49,9 @@ Result<Miss> miss_of(const TrackRow& row, const TruthRow& before, const TruthRow
   const std::optional<Placed> from = place(before, building);
   const std::optional<Placed> to = place(after, building);
   const std::optional<Placed> estimate = place(row.where, building);
-  if (!estimate) return unknown_room("the track", files.track, row.where.room);
-  if (!from) return unknown_room("the truth", files.truth, before.room);
-  if (!to) return unknown_room("the truth", files.truth, after.room);
+  if (!estimate) return unknown_room("the track", files.track, row.where);
+  if (!from) return unknown_room("the truth", files.truth, before);
+  if (!to) return unknown_room("the truth", files.truth, after);
   const Placed real = interpolate(before, *from, after, *to, row.where.time_s);
   const double error = distance(real.pose.position, estimate->pose.position);
   return Miss{error, std::abs(wrap_angle(real.pose.heading - estimate->pose.heading)), estimate->room == real.room,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "belt/belt.hpp"
+#include "echoway/locate/start_check.hpp"
 #include "plan/floor_plan.hpp"
 #include "wearer/phone.hpp"
 #include "wearer/trajectory.hpp"
@@ -93,7 +94,10 @@ Result<ScanLog> scan_at(const Building& building, const World& world, const Ring
     moment.time_s = stand.time_s;
     moment.room = building.find_room(stand.room);
     moment.pose = stand.pose;
-    if (moment.room == kNoRoom) return Error{"there is no room " + stand.room + " in the building"};
+    if (moment.room == kNoRoom) return Error{"there is no room " + stand.room + " in the building", {}, stand.line};
+    if (!check_start({moment.room, stand.pose.position, stand.pose.heading}, building)) {
+      return Error{"the place is not inside room " + stand.room, {}, stand.line};
+    }
     footprint.step_on(moment.room, moment.pose.position);
     moments.push_back(moment);
   }

@@ -51,7 +51,7 @@ Status read(const std::filesystem::path& file, std::span<const std::string_view>
     if (line.empty()) continue;
     if (line.front() == '#') {
       const auto& handler = width > 0 ? handlers.later_comment : handlers.comment;
-      const auto problem = handler ? handler(text::trim(line.substr(1))) : std::nullopt;
+      const auto problem = handler ? handler(text::trim(line.substr(1)), reader.line()) : std::nullopt;
       if (problem && !reader.line_ended()) break;
       if (problem) return reader.error_here(*problem);
       continue;
@@ -72,7 +72,7 @@ Status read(const std::filesystem::path& file, std::span<const std::string_view>
     if (++rows > kMaxRows) {
       return reader.error_here("has more than " + std::to_string(kMaxRows) + " rows; split the log");
     }
-    if (const auto problem = handlers.row(Row({fields.data(), count}, columns))) {
+    if (const auto problem = handlers.row(Row({fields.data(), count}, columns, reader.line()))) {
       // Every field of it is there: only the last can have lost something.
       if (!reader.line_ended() && count == columns.size() && handlers.is_cut(fields[count - 1])) break;
       return reader.error_here(*problem);

@@ -20,10 +20,13 @@ inline constexpr std::size_t kMaxColumns = 64;
 /// The fields of one row, as many as the header has.
 class Row {
  public:
-  Row(std::span<const std::string_view> fields, std::span<const std::string_view> columns)
-      : fields_(fields), columns_(columns) {}
+  Row(std::span<const std::string_view> fields, std::span<const std::string_view> columns, int line)
+      : fields_(fields), columns_(columns), line_(line) {}
 
   [[nodiscard]] std::string_view text(std::size_t column) const { return fields_[column]; }
+
+  /// Where it stands in the file, 1-based.
+  [[nodiscard]] int line() const { return line_; }
 
   /// A finite number whose magnitude is at most `limit`, or why it is none.
   [[nodiscard]] Result<double> number(std::size_t column, double limit) const;
@@ -31,16 +34,17 @@ class Row {
  private:
   std::span<const std::string_view> fields_;
   std::span<const std::string_view> columns_;
+  int line_;
 };
 
 /// Whether `field` is no number but begins one: "", "-", "1e".
 [[nodiscard]] bool is_cut_number(std::string_view field);
 
 struct Handlers {
-  /// Each comment line before the header, without `#`; returns what is wrong with it.
-  std::function<std::optional<std::string>(std::string_view)> comment = nullptr;
+  /// Each comment line before the header, without `#`, and its number; returns what is wrong with it.
+  std::function<std::optional<std::string>(std::string_view, int)> comment = nullptr;
   /// The same for those after it.
-  std::function<std::optional<std::string>(std::string_view)> later_comment = nullptr;
+  std::function<std::optional<std::string>(std::string_view, int)> later_comment = nullptr;
   /// Each row; returns what is wrong with it, and keeps nothing of it then.
   std::function<std::optional<std::string>(const Row&)> row;
   /// Whether a field of the last of `columns` is what a cut leaves of one.

@@ -89,7 +89,7 @@ Problem read_belt_comment(std::string_view comment, BeltHeader& belt) {
 }
 
 /// `restart time_s room x_m y_m heading_deg`, a `-` where something was not said; any other comment is prose.
-Problem read_restart(std::string_view comment, std::vector<LoggedRestart>& restarts) {
+Problem read_restart(std::string_view comment, int line, std::vector<LoggedRestart>& restarts) {
   const std::vector<std::string_view> words = words_of(comment);
   if (words.size() != 6 || words[0] != "restart") return std::nullopt;
   std::array<std::optional<double>, 6> values;
@@ -105,6 +105,7 @@ Problem read_restart(std::string_view comment, std::vector<LoggedRestart>& resta
   if (!restarts.empty() && *values[1] < restarts.back().time_s) return "the time of a restart goes back";
   if (!text::is_utf8(words[2])) return "room is not valid UTF-8";
   LoggedRestart restart;
+  restart.line = line;
   restart.time_s = *values[1];
   if (words[2] != "-") restart.room = words[2];
   if (values[3]) restart.position = Vec2{*values[3], *values[4]};
@@ -141,6 +142,7 @@ Problem read_motion(const csv::Row& row, Clock& clock, MotionHint& hint) {
 
 /// `room` may be blank in a track only: a locator that has no idea yet.
 Problem read_place(const csv::Row& row, Clock& clock, bool room_required, TruthRow& out) {
+  out.line = row.line();
   if (auto problem = clock.read(row, out.time_s)) return problem;
   out.room = row.text(1);
   if (out.room.empty() && room_required) return "room is missing";
@@ -206,11 +208,11 @@ Result<ScanLog> read_scan_log(const std::filesystem::path& file, std::optional<i
   ScanLog log;
   Clock clock;
   csv::Handlers handlers;
-  handlers.comment = [&](std::string_view comment) {
+  handlers.comment = [&](std::string_view comment, int line) {
     auto problem = read_belt_comment(comment, log.belt);
-    return problem ? problem : read_restart(comment, log.restarts);
+    return problem ? problem : read_restart(comment, line, log.restarts);
   };
-  handlers.later_comment = [&](std::string_view comment) { return read_restart(comment, log.restarts); };
+  handlers.later_comment = [&](std::string_view comment, int line) { return read_restart(comment, line, log.restarts); };
   handlers.row = [&](const csv::Row& row) {
     csv::reserve_next(log.firings);
     const int count = sensors.value_or(log.belt.apply_to({}).sensors);

@@ -116,6 +116,18 @@ TEST(CommandLine, ARoomTooLargeToBeSimulatedIsNamed) {
   expect_refused({"bench", "--building", folder.path().string(), "--walks", "1"}, "room plain is too large");
 }
 
+TEST(CommandLine, NobodyScansWhereNobodyCanStand) {
+  const TemporaryFolder folder;
+  const std::string header = "time_s,room,x_m,y_m,heading_deg\n0,4,1,1,0\n";
+  const auto expect_line_3_refused = [&](const std::string& stand, const std::string& why) {
+    const std::string stands = folder.write("at.csv", header + stand).string();
+    expect_refused({"simulate", "--building", kLab, "--at", stands, "--out", (folder.path() / "x").string()}, stands + ":3: " + why);
+  };
+  expect_line_3_refused("1,cellar,1,1,0\n", "there is no room cellar in the building");
+  expect_line_3_refused("1,4,100,1,0\n", "the place is not inside room 4");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "x.scans.csv"));
+}
+
 TEST(CommandLine, WhatCannotBePrintedIsAnErrorAndNoCrash) {
   const Arguments describe{"describe", kLab};
   EXPECT_EQ(run_echoway(describe, {.out = "/dev/full"}).status, 1);

@@ -65,14 +65,18 @@ TEST(Score, SaysOfATrackThatItIsEmpty) {
   EXPECT_EQ(result.err, track.string() + ": the track has no rows\n");
 }
 
-TEST(Score, NamesARoomThatTheBuildingDoesNotHave) {
+TEST(Score, SaysInWhichLineIsARoomThatTheBuildingDoesNotHave) {
   const TemporaryFolder folder;
-  const auto truth = folder.write("truth.csv", "time_s,room,x_m,y_m,heading_deg\n0,4,1.0,1.0,0\n9,cellar,1,1,0\n");
-  const auto track = folder.write(
-      "track.csv", "time_s,room,x_m,y_m,heading_deg,sigma_m,room_probability,state\n5,4,1,1,0,0.2,1,tracking\n");
-  const auto result = run_echoway({"score", "--building", kLab, "--track", track.string(), "--truth", truth.string()});
-  EXPECT_EQ(result.status, 2);
-  EXPECT_NE(result.err.find("truth.csv: the truth names room 'cellar'"), std::string::npos) << result.err;
+  const auto error = [&](const std::string& track_room, const std::string& truth_room) {
+    const auto truth = folder.write("truth.csv", "time_s,room,x_m,y_m,heading_deg\n0,4,1,1,0\n9," + truth_room + ",1,1,0\n");
+    const auto track = folder.write("track.csv", "# mine\ntime_s,room,x_m,y_m,heading_deg,sigma_m,room_probability,state\n5," +
+                                                     track_room + ",1,1,0,0.2,1,tracking\n");
+    const auto result = run_echoway({"score", "--building", kLab, "--track", track.string(), "--truth", truth.string()});
+    EXPECT_EQ(result.status, 2);
+    return result.err;
+  };
+  EXPECT_NE(error("4", "cellar").find("truth.csv:3: the truth names room 'cellar'"), std::string::npos) << error("4", "cellar");
+  EXPECT_NE(error("attic", "4").find("track.csv:3: the track names room 'attic'"), std::string::npos) << error("attic", "4");
 }
 
 }  // namespace

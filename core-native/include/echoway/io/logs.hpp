@@ -33,6 +33,7 @@ struct LoggedRestart {
   std::string room;               ///< By id; blank: looked for everywhere.
   std::optional<Vec2> position;   ///< In the room's frame.
   std::optional<double> heading;  ///< The same, radians.
+  int line = 0;                   ///< Of the log that it was read from; 0: of none.
 
   /// Where to start in `building`; fails when nobody can stand there (see check_start()).
   [[nodiscard]] Result<Start> start_in(const Building& building) const;
@@ -49,6 +50,7 @@ struct TruthRow {
   double time_s = 0.0;
   std::string room;
   Pose2 pose{};
+  int line = 0;  ///< Of the log that it was read from; 0: of none.
 };
 struct TrackRow {
   TruthRow where;

@@ -33,8 +33,8 @@ struct Ring {
 };
 
 /// One whole scan, in no time, at each of `stands`: what a wearer (or a robot) who stands there hears. Rows come stand
-/// by stand, sensor by sensor, with the stand's time. Fails when a stand names a room that does not exist, or
-/// as simulate() does.
+/// by stand, sensor by sensor, with the stand's time. Fails, with the stand's line, when it names a room that does
+/// not exist or lies more than kBesideRoom outside its room, or as simulate() does.
 Result<ScanLog> scan_at(const Building& building, const World& world, const Ring& ring,
                         const std::vector<TruthRow>& stands, std::uint64_t seed);
 
