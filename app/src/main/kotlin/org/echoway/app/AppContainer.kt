@@ -100,7 +100,8 @@ open class PhoneContainer(private val context: Context) : AppContainer {
     override val presence: Presence get() = MomentOfSilence()
 
     override val voice: Voice by lazy {
-        VoiceWithTones(TtsVoice(context, PhoneAudioFocus(context.getSystemService(AudioManager::class.java))), PhoneTones())
+        val focus = PhoneAudioFocus(context.getSystemService(AudioManager::class.java))
+        VoiceWithTones(TtsVoice(context, focus), PhoneTones(focus))
     }
 
     override val buzzer: Buzzer by lazy { PhoneBuzzer(context.getSystemService(Vibrator::class.java)) }

@@ -2,7 +2,8 @@ package org.echoway.app.voice
 
 import android.media.AudioManager
 import android.media.ToneGenerator
-import kotlinx.coroutines.delay
+import kotlinx.coroutines.CompletableDeferred
+import kotlinx.coroutines.withTimeoutOrNull
 import org.echoway.app.touch.Length
 import org.echoway.app.touch.Strength
 import org.echoway.app.touch.Touch
@@ -26,18 +27,25 @@ private fun pitch(strength: Strength) = when (strength) {
     Strength.STRONG -> ToneGenerator.TONE_DTMF_D
 }
 
-/** Tones on the volume of media. Quiet where Android has no tone generator left to give. */
-class PhoneTones : Tones {
+/**
+ * Tones on the volume of media, that other sounds make way for. Quiet where Android has no tone generator left to give, and
+ * whenever a voice would be: whoever is on the phone hears the other side.
+ */
+class PhoneTones(private val focus: AudioFocus) : Tones {
     private val generator by lazy { runCatching { ToneGenerator(AudioManager.STREAM_MUSIC, ToneGenerator.MAX_VOLUME) }.getOrNull() }
 
-    override suspend fun play(sign: Touch?) {
+    override suspend fun play(sign: Touch?): Outcome {
+        val lost = CompletableDeferred<Outcome>()
+        if (!focus.request(onLoss = { lost.complete(Outcome.CUT_OFF) })) return Outcome.REFUSED
         try {
             for (beep in sign.beeps) {
                 generator?.startTone(beep.pitch, beep.soundMs.toInt())
-                delay(beep.soundMs + beep.restMs)
+                withTimeoutOrNull(beep.soundMs + beep.restMs) { lost.await() }?.let { return it }
             }
+            return Outcome.SPOKEN
         } finally {
             generator?.stopTone()
+            focus.abandon()
         }
     }
 }

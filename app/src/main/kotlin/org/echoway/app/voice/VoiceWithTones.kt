@@ -6,8 +6,8 @@ import org.echoway.core.Language
 
 /** Sounds that stand for a line on a phone that cannot speak. */
 fun interface Tones {
-    /** Sounds the rhythm of [sign], or one tone for a line that has none, and returns when it is over. */
-    suspend fun play(sign: Touch?)
+    /** Sounds the rhythm of [sign], or one tone for a line that has none, and returns when it is over or given up. */
+    suspend fun play(sign: Touch?): Outcome
 }
 
 /** Speaks where the phone can; otherwise tones tell what is urgent, and that there is a line to read on the screen. */
@@ -20,7 +20,6 @@ class VoiceWithTones(private val speech: Voice, private val tones: Tones) : Voic
     override suspend fun speak(text: String, sign: Touch?): Outcome {
         val outcome = speech.speak(text, sign)
         if (outcome != Outcome.REFUSED || status.value != VoiceStatus.NO_ENGINE) return outcome
-        tones.play(sign)
-        return Outcome.SPOKEN
+        return tones.play(sign)
     }
 }

@@ -27,6 +27,7 @@ import org.junit.runner.RunWith
 import org.robolectric.Shadows.shadowOf
 import org.robolectric.shadows.ShadowLooper
 import org.robolectric.shadows.ShadowTextToSpeech
+import org.robolectric.shadows.ShadowToneGenerator
 
 @RunWith(AndroidJUnit4::class)
 @OptIn(ExperimentalCoroutinesApi::class)
@@ -52,7 +53,10 @@ class TtsVoiceTest {
         return line.getCompleted()
     }
 
-    @After fun tidy() = ShadowTextToSpeech.reset()
+    @After fun tidy() {
+        ShadowTextToSpeech.reset()
+        ShadowToneGenerator.reset()
+    }
 
     @Test fun speaksAsGuidanceThatOtherSoundsDuckFor() {
         val line = saying(voice(), "Turn left.")
@@ -144,7 +148,7 @@ class TtsVoiceTest {
     private val signs = mutableListOf<Touch?>()
 
     /** [speech], with tones that only remember what they stood for. */
-    private fun withTones(speech: Voice) = VoiceWithTones(speech) { signs += it }
+    private fun withTones(speech: Voice) = VoiceWithTones(speech) { sign -> Outcome.SPOKEN.also { signs += sign } }
 
     private fun unanswered() = TtsVoice(context, PhoneAudioFocus(audio)) { Locale.US }
 
@@ -154,6 +158,34 @@ class TtsVoiceTest {
         assertEquals(VoiceStatus.NO_ENGINE, speech.status.value)
         assertEquals(Outcome.SPOKEN, done(saying(withTones(speech), "Turn left.", Touch.LEFT)))
         assertEquals(listOf<Touch?>(Touch.LEFT), signs)
+    }
+
+    private fun voiceOfTonesAlone(): Voice {
+        val speech = unanswered()
+        engine().onInitListener.onInit(TextToSpeech.ERROR)
+        return VoiceWithTones(speech, PhoneTones(PhoneAudioFocus(audio)))
+    }
+
+    @Test fun tonesAreSilentDuringACallAndTheLineWaits() {
+        val voice = voiceOfTonesAlone()
+        audio.mode = AudioManager.MODE_IN_CALL
+        assertEquals(Outcome.REFUSED, done(saying(voice, "Turn left.", Touch.LEFT)))
+        assertEquals(emptyList<Any>(), ShadowToneGenerator.getPlayedTones())
+        audio.mode = AudioManager.MODE_NORMAL
+        val line = saying(voice, "Turn left.", Touch.LEFT)
+        ShadowLooper.idleMainLooper(5, TimeUnit.SECONDS)
+        assertEquals(Outcome.SPOKEN, done(line))
+        assertEquals("long, short", 2, ShadowToneGenerator.getPlayedTones().size)
+        val request = shadowOf(audio).lastAudioFocusRequest.audioFocusRequest
+        assertEquals("focus is given back", request, shadowOf(audio).lastAbandonedAudioFocusRequest)
+    }
+
+    @Test fun tonesEndWhenThePhoneRings() {
+        val line = saying(voiceOfTonesAlone(), "Belt disconnected.", Touch.BELT_LOST)
+        ShadowLooper.idleMainLooper()
+        shadowOf(audio).lastAudioFocusRequest.listener.onAudioFocusChange(AudioManager.AUDIOFOCUS_LOSS_TRANSIENT)
+        assertEquals(Outcome.CUT_OFF, done(line))
+        assertEquals("one of three", 1, ShadowToneGenerator.getPlayedTones().size)
     }
 
     @Test fun anEngineThatIsNeverReachedHoldsNoLineUpForLong() {
