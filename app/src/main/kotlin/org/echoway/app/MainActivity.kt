@@ -36,7 +36,6 @@ class MainActivity : ComponentActivity() {
     // Guidance starts whatever the answer is: without notifications it still speaks, without steps it still locates.
     private val permissions = registerForActivityResult(RequestMultiplePermissions()) { NavigationService.start(this) }
     private val chords by lazy { VolumeChords(container.guide) }
-    private var volumeKeysAsk = false
     private var firefighter = false
     private val recording = registerForActivityResult(OpenDocument()) { uri -> uri?.let(::useRecording) }
 
@@ -68,18 +67,18 @@ class MainActivity : ComponentActivity() {
     }
 
     /**
-     * Chords of the volume keys ask; a single key stays the volume's. In firefighter mode guidance's media session asks at
-     * every key that it is handed: it gets none from here, or a chord would be heard as a chord and as its two keys.
+     * Chords of the volume keys ask where they are chosen; a single key stays the volume's. In firefighter mode guidance's media
+     * session asks at every key that it is handed: it gets none from here, or two keys together would be two questions.
      */
     override fun dispatchKeyEvent(event: KeyEvent): Boolean {
-        val key = VOLUME_KEYS[event.keyCode]?.takeIf { volumeKeysAsk && event.action in KEY_ACTIONS }
-            ?: return super.dispatchKeyEvent(event)
         chords.loneKeysAsk = firefighter && container.navigator.state.value is NavigationState.Running
+        val key = VOLUME_KEYS[event.keyCode]?.takeIf { (chords.chordsAsk || chords.loneKeysAsk) && event.action in KEY_ACTIONS }
+            ?: return super.dispatchKeyEvent(event)
         return chords.onKey(key, event.action == KeyEvent.ACTION_DOWN, event.eventTime) || super.dispatchKeyEvent(event)
     }
 
     private fun follow(settings: Settings) {
-        volumeKeysAsk = settings.volumeKeys
+        chords.chordsAsk = settings.volumeKeys
         firefighter = settings.firefighter
         // Whoever is to find a firefighter must reach "Cancel alarm" on a locked phone.
         if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.O_MR1) setShowWhenLocked(settings.firefighter)

@@ -27,6 +27,9 @@ class VolumeChords(private val asking: Asking) {
     /** Whether a key alone asks instead of changing the volume; every key is then taken. */
     var loneKeysAsk = false
 
+    /** Whether both together ask more than the first of them alone. */
+    var chordsAsk = true
+
     /** Returns whether the event is taken; otherwise it is for the volume. */
     fun onKey(key: VolumeKey, pressed: Boolean, timeMs: Long): Boolean {
         val taken = if (pressed) press(key, timeMs) else letGo(key, timeMs)
@@ -61,6 +64,7 @@ class VolumeChords(private val asking: Asking) {
         lastChordAtMs = if (twice) null else sinceMs
         when {
             held >= TOO_LONG_MS -> Unit
+            !chordsAsk -> asking.ask(first.alone)
             held >= LONG_MS -> asking.ask(Ask.WAY_OUT)
             twice -> asking.ask(Ask.MUTE)
             first == VolumeKey.UP -> asking.ask(Ask.WHERE_AM_I)

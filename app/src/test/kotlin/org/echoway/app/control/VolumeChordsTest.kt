@@ -100,6 +100,16 @@ class VolumeChordsTest {
         assertEquals(Ask.WAY_BACK, asked.last())
     }
 
+    @Test fun withoutChordsTwoKeysTogetherAreOneQuestionAllTheSame() {
+        chords.loneKeysAsk = true
+        chords.chordsAsk = false
+        chord(UP, 150)
+        chord(DOWN, 1_200)
+        assertEquals(listOf(Ask.WHERE_AM_I, Ask.WAY_BACK), asked)
+        chord(UP, 3_200)
+        assertEquals("the phone's own shortcut", 2, asked.size)
+    }
+
     @Test fun afterAChordOneKeyIsTheVolumesAgain() {
         chord(UP, 150)
         assertFalse(chords.onKey(DOWN, true, now))

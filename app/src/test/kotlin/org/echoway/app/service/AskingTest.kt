@@ -143,8 +143,21 @@ class AskingTest {
         assertEquals("Muted. Danger is still spoken.", twice.last())
     }
 
+    @Test fun inFirefighterModeAVolumeKeyAsksAloneAndAChordAsksOnce() = volumeKeysOfAFirefighter { press ->
+        assertEquals(listOf("Belt disconnected."), heard { press(intArrayOf(KEYCODE_VOLUME_UP)) })
+        assertEquals(listOf("No way back yet."), heard { press(intArrayOf(KEYCODE_VOLUME_DOWN)) })
+        assertEquals(listOf("Belt disconnected."), heard { press(intArrayOf(KEYCODE_VOLUME_UP, KEYCODE_VOLUME_DOWN)) })
+    }
+
+    @Test fun inFirefighterModeWithoutChordsTwoKeysTogetherAskOnce() = volumeKeysOfAFirefighter { press ->
+        container.settings.settings.value = container.settings.settings.value.copy(volumeKeys = false)
+        settle(1_000)
+        assertEquals(listOf("Belt disconnected."), heard { press(intArrayOf(KEYCODE_VOLUME_UP, KEYCODE_VOLUME_DOWN)) })
+        assertEquals(listOf("No way back yet."), heard { press(intArrayOf(KEYCODE_VOLUME_DOWN, KEYCODE_VOLUME_UP)) })
+    }
+
     /** What is not taken by the screen goes to guidance's media session, which asks a second time. */
-    @Test fun inFirefighterModeAVolumeKeyAsksAloneAndAChordAsksOnce() = ActivityScenario.launch(MainActivity::class.java).use { screen ->
+    private fun volumeKeysOfAFirefighter(test: (press: (IntArray) -> Unit) -> Unit) = ActivityScenario.launch(MainActivity::class.java).use { screen ->
         container.settings.settings.value = container.settings.settings.value.copy(firefighter = true, notMovedAlertS = 0)
         settle(1_000)
         var now = 0L
@@ -152,10 +165,7 @@ class AskingTest {
             assertTrue("taken", it.dispatchKeyEvent(KeyEvent(0, now, action, code, 0)))
             now += 100
         }
-        fun press(vararg codes: Int) = listOf(KeyEvent.ACTION_DOWN, KeyEvent.ACTION_UP).forEach { action -> codes.forEach { key(it, action) } }
-        assertEquals(listOf("Belt disconnected."), heard { press(KEYCODE_VOLUME_UP) })
-        assertEquals(listOf("No way back yet."), heard { press(KEYCODE_VOLUME_DOWN) })
-        assertEquals(listOf("Belt disconnected."), heard { press(KEYCODE_VOLUME_UP, KEYCODE_VOLUME_DOWN) })
+        test { codes -> listOf(KeyEvent.ACTION_DOWN, KeyEvent.ACTION_UP).forEach { action -> codes.forEach { key(it, action) } } }
     }
 
     /** The chosen language is not the phone's, and nothing has been said in it yet. */
