@@ -17,6 +17,7 @@ import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.flow.Flow
 import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.flow.distinctUntilChanged
+import kotlinx.coroutines.flow.filter
 import kotlinx.coroutines.flow.filterIsInstance
 import kotlinx.coroutines.flow.first
 import kotlinx.coroutines.flow.map
@@ -78,13 +79,17 @@ class NavigationService : LifecycleService() {
             return
         }
         container.settings.update { it.copy(navigating = true) }
+        // A walk that was under way a moment ago goes on for who begins by hand as well, where Android did not.
+        val interrupted = restored || navigation == null && settings.navigating && walkedJustNow(settings)
         // Two at once would share the core and the buttons.
         navigation?.cancelAndJoin()
-        navigation = lifecycleScope.launch { navigate(settings, restored) }
+        navigation = lifecycleScope.launch { navigate(settings, interrupted) }
     }
 
-    /** [restored]: guidance was under way, and who wears a belt may have left the entrance since. */
-    private suspend fun navigate(settings: Settings, restored: Boolean) = coroutineScope {
+    private fun walkedJustNow(settings: Settings) = settings.walkedS?.let { container.clock.nowS() - it in 0.0..JUST_NOW_S } == true
+
+    /** [interrupted]: guidance was under way, and who wears a belt may have left the entrance since. */
+    private suspend fun navigate(settings: Settings, interrupted: Boolean) = coroutineScope {
         val states = container.navigator.state
         launch { container.guide.run(states, container.navigator.events, container.settings.settings) }
         launch { container.lookout.run(states, container.settings.settings) }
@@ -98,7 +103,7 @@ class NavigationService : LifecycleService() {
             return@coroutineScope
         }
         // A walk that is replayed begins anew, where it began.
-        val walkedOn = restored && settings.source == SourceKind.USB
+        val walkedOn = interrupted && settings.source == SourceKind.USB
         val goal = settings.goal?.takeIf { walkedOn }?.within(building.id, building.plan)
         if (walkedOn) container.guide.tell(Message.Interrupted(building.plan, goal))
         val start = if (walkedOn) Start() else startAt(building.plan, settings.entrance)
@@ -107,6 +112,7 @@ class NavigationService : LifecycleService() {
         if (settings.source != SourceKind.RECORDING) launch { recording.follow(container.settings.settings.map { it.record }) }
         launch { container.recordings.status.collect(::tellOfRecording) }
         launch { keepGoal(states) }
+        if (settings.source == SourceKind.USB) launch { keepTime(states) }
         val wish = goal?.let { Wish.LeadTo(it, settings.routePreferences) }
         container.navigator.run(building, start, container.beltSource(settings), container.motion, recording, wish)
     }
@@ -116,6 +122,13 @@ class NavigationService : LifecycleService() {
         .map { state -> state.destination?.let { Goal(state.building.id, it) } }
         .distinctUntilChanged()
         .collect { goal -> container.settings.update { it.copy(goal = goal) } }
+
+    /** Writes down when the wearer walked with the belt. */
+    private suspend fun keepTime(states: Flow<NavigationState>) = states.filterIsInstance<NavigationState.Running>()
+        .filter { it.hearsBelt }
+        .map { it.timeS }
+        .distinctUntilChanged { noted, now -> now - noted < NOTE_EVERY_S }
+        .collect { timeS -> container.settings.update { it.copy(walkedS = timeS) } }
 
     /** Keeps the notification true, and in the language that is chosen now. */
     private suspend fun notify(states: Flow<NavigationState>) =
@@ -176,6 +189,11 @@ class NavigationService : LifecycleService() {
     companion object {
         const val ACTION_START = "org.echoway.app.START"
         const val ACTION_STOP = "org.echoway.app.STOP"
+
+        private const val NOTE_EVERY_S = 60.0
+
+        /** Who begins later than this after the last echo has come anew, by the entrance. */
+        private const val JUST_NOW_S = 600.0
 
         /** What the notification's buttons ask. */
         private val ASKS = Ask.entries.associateBy { actionOf(it) }

@@ -3,6 +3,7 @@ package org.echoway.app.settings
 import androidx.datastore.core.DataStore
 import androidx.datastore.preferences.core.Preferences
 import androidx.datastore.preferences.core.booleanPreferencesKey
+import androidx.datastore.preferences.core.doublePreferencesKey
 import androidx.datastore.preferences.core.edit
 import androidx.datastore.preferences.core.emptyPreferences
 import androidx.datastore.preferences.core.intPreferencesKey
@@ -58,6 +59,7 @@ enum class ThemeChoice {
  * @property entrance name of the way in; null when the wearer does not know it
  * @property recording file name of the log to replay, for [SourceKind.RECORDING]
  * @property navigating whether guidance was on when the app was last alive, so that it goes on after its death
+ * @property walkedS when the belt was last heard while guidance was on, on the app's clock; to the minute, null before the first time
  * @property goal where the wearer was led when the app was last alive; null nowhere, or back the way they came
  * @property avoidStairs take stairs only when nothing else leads there
  * @property firefighter show the one large screen, and watch for a wearer who does not move
@@ -75,6 +77,7 @@ data class Settings(
     val source: SourceKind = SourceKind.USB,
     val recording: String? = null,
     val navigating: Boolean = false,
+    val walkedS: Double? = null,
     val goal: Goal? = null,
     val service: ServiceModel = ServiceModel.CONTINUOUS,
     val verbosity: Verbosity = Verbosity.NORMAL,
@@ -119,6 +122,7 @@ class DataStoreSettings(private val store: DataStore<Preferences>) : SettingsSto
             preferences.put(RECORDING, changed.recording)
             preferences[SOURCE] = changed.source.name
             preferences[NAVIGATING] = changed.navigating
+            preferences.put(WALKED_S, changed.walkedS)
             preferences.put(GOAL, changed.goal?.written())
             preferences[SERVICE] = changed.service.name
             preferences[VERBOSITY] = changed.verbosity.name
@@ -143,6 +147,7 @@ class DataStoreSettings(private val store: DataStore<Preferences>) : SettingsSto
         source = preferences.choice(SOURCE, SourceKind.USB),
         recording = preferences[RECORDING],
         navigating = preferences[NAVIGATING] ?: false,
+        walkedS = preferences[WALKED_S],
         goal = preferences[GOAL]?.let(Goal::read),
         service = preferences.choice(SERVICE, ServiceModel.CONTINUOUS),
         verbosity = preferences.choice(VERBOSITY, Verbosity.NORMAL),
@@ -164,7 +169,7 @@ class DataStoreSettings(private val store: DataStore<Preferences>) : SettingsSto
     private inline fun <reified T : Enum<T>> Preferences.choice(key: Preferences.Key<String>, usual: T): T =
         enumValues<T>().firstOrNull { it.name == this[key] } ?: usual
 
-    private fun androidx.datastore.preferences.core.MutablePreferences.put(key: Preferences.Key<String>, value: String?) {
+    private fun <T> androidx.datastore.preferences.core.MutablePreferences.put(key: Preferences.Key<T>, value: T?) {
         if (value == null) remove(key) else set(key, value)
     }
 
@@ -174,6 +179,7 @@ class DataStoreSettings(private val store: DataStore<Preferences>) : SettingsSto
         val SOURCE = stringPreferencesKey("source")
         val RECORDING = stringPreferencesKey("recording")
         val NAVIGATING = booleanPreferencesKey("navigating")
+        val WALKED_S = doublePreferencesKey("walked s")
         val GOAL = stringPreferencesKey("goal")
         val SERVICE = stringPreferencesKey("service")
         val VERBOSITY = stringPreferencesKey("verbosity")

@@ -265,6 +265,57 @@ class NavigationServiceTest {
         assertTrue(sureOfTheRoomAtTheFirstEcho(action = null) < 0.9)
     }
 
+    /** What a wearer hears first who begins by hand, [agoS] after the belt was last heard in an earlier life of the app. */
+    private fun heardFirstByHand(agoS: Double?): String {
+        container.settings.settings.value = container.settings.settings.value.copy(
+            source = SourceKind.USB, entrance = "Main entrance", navigating = true,
+            walkedS = agoS?.let { container.clock.nowS() - it }, goal = Goal("torgersen-lab", Destination.WAY_OUT),
+        )
+        command(NavigationService.ACTION_START)
+        awaitRunning()
+        settle(5_000)
+        return container.voice.words.first()
+    }
+
+    @Test fun whoBeginsByHandSoonAfterTheAppsDeathGoesOn() {
+        assertEquals("Guidance was interrupted. Destination stays: Way out.", heardFirstByHand(agoS = 120.0))
+        assertEquals(Wish.LeadTo(Destination.WAY_OUT), awaitRunning().leading)
+        container.belt.send(BeltEvent.Attached)
+        echoes(1.0 / 16)
+        settle()
+        assertTrue("not taken to be at the entrance", awaitRunning().estimate.roomProbability < 0.9)
+    }
+
+    @Test fun whoBeginsByHandMuchLaterBeginsAnew() {
+        assertEquals("Waiting for the belt.", heardFirstByHand(agoS = 3_600.0))
+        assertEquals(null, awaitRunning().leading)
+        assertEquals(null, container.settings.settings.value.goal)
+    }
+
+    @Test fun whoBeginsByHandAfterThePhoneWasSwitchedOffBeginsAnew() {
+        assertEquals("the clock began anew", "Waiting for the belt.", heardFirstByHand(agoS = -3_600.0))
+    }
+
+    @Test fun whoNeverHeardTheBeltBeginsAnew() {
+        assertEquals("Waiting for the belt.", heardFirstByHand(agoS = null))
+    }
+
+    @Test fun theWalkIsNotedWhileTheBeltIsHeardSoThatItGoesOn() {
+        container.settings.settings.value = container.settings.settings.value.copy(source = SourceKind.USB)
+        command(NavigationService.ACTION_START)
+        awaitRunning()
+        container.belt.send(BeltEvent.Attached)
+        echoes(2.0)
+        val noted = container.settings.settings.value.walkedS!!
+        assertEquals(container.clock.nowS(), noted, 5.0)
+        echoes(65.0)
+        assertTrue("and again after a minute", container.settings.settings.value.walkedS!! > noted + 50.0)
+        container.belt = ScriptedBelt()
+        command(NavigationService.ACTION_START)
+        settle(12_000)
+        assertFalse("begun again while guidance is on it begins anew", container.voice.words.any { "interrupted" in it })
+    }
+
     @Test fun withoutABuildingItSaysWhatIsMissing() {
         container.settings.settings.value = container.settings.settings.value.copy(building = null)
         command(NavigationService.ACTION_START)

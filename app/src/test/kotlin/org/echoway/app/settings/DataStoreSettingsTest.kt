@@ -40,7 +40,7 @@ class DataStoreSettingsTest {
 
     private val unusual = Settings(
         building = "torgersen-lab", entrance = "Main entrance", source = SourceKind.RECORDING, recording = "a.scans.csv", navigating = true,
-        goal = Goal("my own house", Destination(DestinationKind.PLACE, 3)),
+        walkedS = 1234.5, goal = Goal("my own house", Destination(DestinationKind.PLACE, 3)),
         service = ServiceModel.ON_REQUEST, verbosity = Verbosity.FULL, directions = DirectionStyle.CLOCK, lengths = LengthStyle.METRES,
         avoidStairs = true, firefighter = true, notMovedAlertS = 60, language = Language.FRENCH, theme = ThemeChoice.SMOKE,
         vibration = false, motion = false, volumeKeys = false, record = true, introduced = true,
