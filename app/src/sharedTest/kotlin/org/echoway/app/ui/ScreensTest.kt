@@ -73,7 +73,7 @@ class ScreensTest {
 
     @Test fun aPhoneWithoutAVoiceSaysSoOnTheScreen() {
         live(on.copy(voiceMissing = true))
-        rule.onNodeWithText("This phone cannot speak", substring = true).assertIsDisplayed()
+        rule.onNodeWithText("No voice: tones and vibration.").assertIsDisplayed()
     }
 
     @Test fun whatCouldNotBeginCanBeTriedAgain() {
@@ -86,7 +86,8 @@ class ScreensTest {
 
     @Test fun withoutAVoiceTheScreenSaysSoBeforeTheStart() {
         live(LiveUiState.Off("Sample", SamplePlan.plan, voiceMissing = true))
-        rule.onNodeWithText("This phone cannot speak", substring = true).assertIsDisplayed()
+        rule.onNodeWithText("No voice: tones and vibration.").assertIsDisplayed()
+        rule.onNodeWithText("Install a speech engine to hear guidance.").assertIsDisplayed()
     }
 
     @Test fun withoutABuildingThereIsOneThingToDo() {

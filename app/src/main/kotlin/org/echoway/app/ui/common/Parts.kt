@@ -103,13 +103,14 @@ fun NamedAction(text: String, of: String, onClick: () -> Unit) {
     Action(text, Modifier.semantics { contentDescription = "$text: $of" }, onClick = onClick)
 }
 
-/** What nobody can be told aloud. */
+/** What nobody can be told aloud. Short: in firefighter mode large letters share the screen with large buttons. */
 @Composable
-fun VoiceMissing(modifier: Modifier = Modifier) {
+fun VoiceMissing() {
     Text(
         stringResource(R.string.voice_missing),
-        modifier.semantics { liveRegion = LiveRegionMode.Polite },
+        Modifier.fillMaxWidth().semantics { liveRegion = LiveRegionMode.Polite },
         color = MaterialTheme.colorScheme.error,
+        style = MaterialTheme.typography.bodyMedium,
         textAlign = TextAlign.Center,
     )
 }

@@ -39,6 +39,7 @@ import org.echoway.app.guide.Ask
 import org.echoway.app.settings.ThemeChoice
 import org.echoway.app.ui.EchowayTheme
 import org.echoway.app.ui.common.Action
+import org.echoway.app.ui.common.VoiceMissing
 
 /**
  * What firefighter mode shows.
@@ -92,9 +93,7 @@ private fun Words(state: FirefighterUiState) {
     val type = MaterialTheme.typography
     Line(stringResource(R.string.firefighter), type.titleLarge, Modifier.semantics { heading() })
     Line(state.words, type.headlineSmall)
-    if (state.voiceMissing) {
-        Line(stringResource(R.string.voice_missing_short), type.bodyMedium, Modifier.semantics { liveRegion = LiveRegionMode.Polite })
-    }
+    if (state.voiceMissing) VoiceMissing()
     if (state.stillness != Stillness.MOVING) {
         val alarm = if (state.stillness == Stillness.ALARM) R.string.still_alarm else R.string.still_soon
         Line(stringResource(alarm), type.headlineMedium, Modifier.semantics { liveRegion = LiveRegionMode.Assertive })

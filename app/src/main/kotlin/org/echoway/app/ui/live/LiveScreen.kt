@@ -101,7 +101,11 @@ private fun ColumnScope.Off(state: LiveUiState.Off, actions: LiveActions) {
         map = { Map(state.building, state.plan, state.plan.rooms.first().level, null, Picture(), state.lengths, it) },
     ) {
         Text(stringResource(R.string.state_off), style = MaterialTheme.typography.titleMedium)
-        if (state.voiceMissing) VoiceMissing()
+        if (state.voiceMissing) {
+            VoiceMissing()
+            // On the way there is no time for it.
+            Text(stringResource(R.string.voice_missing_mend), style = MaterialTheme.typography.bodyMedium, textAlign = TextAlign.Center)
+        }
         BigButton(stringResource(R.string.start), onClick = actions.onStart)
         Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp)) {
             Action(stringResource(R.string.setup), Modifier.weight(1f), onClick = actions.onSetup)
