@@ -181,7 +181,7 @@ Stride::Stride(const Interval& interval, const MotionParameters& m, double pace)
   const double dt = interval.seconds;
   const double root = std::sqrt(std::max(dt, 0.0));
   if (interval.turn_known && dt > 0.0) turning_ = on_the_spot(interval.turn / dt);
-  turn_sigma_ = m.gyro_noise * root;
+  turn_sigma_ = (interval.turn_known ? m.gyro_noise : m.turn_noise) * root;
   bias_sigma_ = m.gyro_bias_drift * root;
   turn_drift_ = m.turn_drift * root;
   sway_variance_ = m.sway * m.sway * dt;

@@ -40,6 +40,7 @@ struct MotionParameters {
   double turn_fast = degrees(120.0);     ///< and so fast, either way.
   double turn_drift = degrees(30.0);     ///< rad/s per root second, of a turn's speed.
   double straight_sigma = degrees(4.0);  ///< What is left of turning on a straight way.
+  double turn_noise = degrees(0.8);      ///< rad per root second, of any turn.
   double scale_sigma = 0.015;            ///< ln of the sound-speed scale at the start (9 K) ...
   double scale_drift = 2e-4;             ///< ... and per root second.
   double fastest = 2.2;                  ///< m/s.
