@@ -83,6 +83,29 @@ void HintIntegrator::reset_clock() noexcept {
 
 void HintIntegrator::on_hint(const MotionHint& hint) noexcept {
   if (!std::isfinite(hint.time_s) || !std::isfinite(hint.value)) return;
+  if (waiting_count_ == kMostWaiting) {   // No belt is heard.
+    take(waiting_.front());
+    std::shift_left(waiting_.begin(), waiting_.end(), 1);
+    --waiting_count_;
+  }
+  waiting_[waiting_count_++] = hint;
+}
+
+// Those of the time up to then, in the order in which they came; what is too far ahead to be true is dropped.
+void HintIntegrator::take_waiting(double time_s) noexcept {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < waiting_count_; ++i) {
+    const MotionHint& hint = waiting_[i];
+    if (hint.time_s <= time_s) {
+      take(hint);
+    } else if (hint.time_s < time_s + kFurthestAhead) {
+      waiting_[kept++] = hint;
+    }
+  }
+  waiting_count_ = kept;
+}
+
+void HintIntegrator::take(const MotionHint& hint) noexcept {
   switch (hint.kind) {
     case MotionKind::yaw_rate:
       if (std::abs(hint.value) > kFastestTurn || hint.time_s < last_rate_time_) return;
@@ -145,6 +168,7 @@ void HintIntegrator::forget_future(double time_s) noexcept {
 
 Interval HintIntegrator::close(double time_s, double seconds) noexcept {
   forget_future(time_s);
+  take_waiting(time_s);
   integrate_to(time_s);
   Interval interval;
   interval.seconds = seconds;

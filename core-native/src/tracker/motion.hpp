@@ -58,7 +58,8 @@ struct Interval {
   [[nodiscard]] double turn_without(double bias) const noexcept { return turn - bias * seconds; }
 };
 
-/// Integrates motion hints between firings. Late and missing hints are bridged; impossible ones are ignored.
+/// Integrates motion hints between firings. Late and missing hints are bridged; impossible ones are ignored. A belt tells of
+/// a firing only when it has listened, so hints of later moments may have come before it: they wait for theirs.
 class HintIntegrator {
  public:
   void on_hint(const MotionHint& hint) noexcept;
@@ -84,11 +85,17 @@ class HintIntegrator {
   /// Between 0 and 1, by the gyroscope; 0 without one.
   [[nodiscard]] double turning_on_the_spot(double time_s) const noexcept;
 
+  void take(const MotionHint& hint) noexcept;
+  void take_waiting(double time_s) noexcept;
   void on_yaw_rate(double time_s, double rate) noexcept;
   void integrate_to(double time_s) noexcept;
   /// Counts that long of the last rate, until a reading says better.
   void hold_rate(double seconds) noexcept;
   void forget_future(double time_s) noexcept;
+
+  static constexpr std::size_t kMostWaiting = 64;   ///< A third of a second of the fastest gyroscope.
+  std::array<MotionHint, kMostWaiting> waiting_{};   ///< In the order in which they came.
+  std::size_t waiting_count_ = 0;
 
   double clock_ = 0.0;
   bool clock_set_ = false;

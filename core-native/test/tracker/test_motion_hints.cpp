@@ -14,6 +14,7 @@ namespace {
 HintIntegrator walked(const std::vector<double>& steps) {
   HintIntegrator hints;
   for (const double t : steps) hints.on_hint({t, MotionKind::step, 1.0});
+  if (!steps.empty()) (void)hints.close(steps.back(), 1.0 / 16.0);
   return hints;
 }
 
@@ -65,6 +66,7 @@ TEST(MotionHints, OneStepIsNoWalkAndThreeAreOne) {
     for (int i = 0; i < steps; ++i) {
       const double t = 0.6 * i;
       hints.on_hint({t, MotionKind::step, 1.0});
+      (void)hints.close(t, 1.0 / 16.0);
       const auto evidence = hints.take_gait_evidence(t, 1.0 / 16.0);
       odds *= evidence.standing / evidence.walking;
     }
@@ -119,6 +121,38 @@ TEST(MotionHints, ASteadyTurnIsFollowedExactly) {
     t = stamp + 0.011;
     EXPECT_NEAR(to_degrees(heading), 90.0 * t, 1e-9);
   }
+}
+
+// A belt listens for 60 ms before it tells of a firing, the phone's sensors tell at once. Live and in a recording, where all
+// is in order of time, the wearer faces the same way.
+TEST(MotionHints, WhatComesBeforeAFiringThoughItIsLaterWaitsForItsTime) {
+  const auto headings = [](double early) {
+    HintIntegrator hints;
+    std::vector<double> turns;
+    int reported = 0;
+    for (double t = 0.0624; t < 3.0; t += 0.0624) {
+      for (; (reported + 1) * 0.02 <= t + early; ++reported) {
+        const double end = (reported + 1) * 0.02;
+        hints.on_hint({end, MotionKind::yaw_rate, (turned_by(end) - turned_by(end - 0.02)) / 0.02});
+      }
+      turns.push_back(hints.close(t, 0.0624).turn);
+    }
+    return turns;
+  };
+  EXPECT_EQ(headings(0.06), headings(0.0));
+}
+
+TEST(MotionHints, OneThatIsStampedFarAheadDoesNotHoldUpTheOthers) {
+  HintIntegrator hints;
+  hints.on_hint({1e6, MotionKind::yaw_rate, 1.0});
+  for (int i = 0; i <= 25; ++i) hints.on_hint({0.04 * i, MotionKind::yaw_rate, degrees(10.0)});
+  EXPECT_NEAR(to_degrees(hints.close(1.0, 1.0).turn), 10.0, 1e-9);
+}
+
+TEST(MotionHints, WhileNoBeltIsHeardTurnsAreCountedAllTheSame) {
+  HintIntegrator hints;
+  for (int i = 0; i <= 1000; ++i) hints.on_hint({0.02 * i, MotionKind::yaw_rate, degrees(5.0)});
+  EXPECT_NEAR(to_degrees(hints.close(20.0, 20.0).turn), 100.0, 1e-6);
 }
 
 TEST(MotionHints, AGyroscopeThatFallsSilentTurnsForHalfASecondMoreAndNoFurther) {

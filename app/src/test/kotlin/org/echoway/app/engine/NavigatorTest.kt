@@ -34,6 +34,7 @@ import org.junit.Assert.assertEquals
 import org.junit.Assert.assertTrue
 import org.junit.Test
 import org.junit.runner.RunWith
+import kotlin.math.PI
 
 /** What the core is told of the belt that is worn, or was worn when a walk was recorded. */
 @OptIn(ExperimentalCoroutinesApi::class)
@@ -101,10 +102,10 @@ class NavigatorTest {
 
     private data class WayBack(val belt: ScriptedBelt, val navigator: Navigator, val events: List<GuidanceEvent>)
 
-    /** Somebody who has walked for ten seconds and is led back. */
+    /** Somebody who knew where they stood, was followed for ten seconds and is led back. */
     private suspend fun TestScope.wayBack(): WayBack {
         val belt = ScriptedBelt()
-        val navigator = navigating(Start(room = 1)) { belt }
+        val navigator = navigating(Start(room = 1, at = Point(0.75, 5.5), heading = PI / 2)) { belt }
         val events = eventsOf(navigator)
         belt.send(BeltEvent.Attached)
         echoes(belt, 10)
