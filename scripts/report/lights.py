@@ -34,9 +34,10 @@ def draw(tables, groups, out):
         panel.set_title(title)
         panel.grid(False)
     for method in ("thesis", "tracker without hints", "tracker"):
-        rows = [row for (name, _), walk in groups.items() if name == method for row in walk]
+        walks = [walk for (name, _), walk in groups.items() if name == method]
+        rows = [row for walk in walks for row in walk]
         time = numbers(rows, "time_s")
-        edges = np.arange(0, time.max(), 2.0)
+        edges = np.arange(0, min(numbers(walk, "time_s").max() for walk in walks), 2.0)   # What is left of a few is no median.
         bins = np.digitize(time, edges) - 1
         medians = [np.median(feet(rows)[bins == i]) if (bins == i).any() else np.nan for i in range(len(edges))]
         axes[2].plot(edges + 1.0, medians, **METHODS[method])
