@@ -18,13 +18,13 @@ HintIntegrator walked(const std::vector<double>& steps) {
   return hints;
 }
 
-TEST(MotionHints, TellHowFastStepsFollowThoughOneIsMissedAndOneInvented) {
+TEST(HintIntegrator, TellHowFastStepsFollowThoughOneIsMissedAndOneInvented) {
   EXPECT_NEAR(walked({0.0, 0.6, 1.2, 1.8, 2.4, 3.0}).cadence(3.1), 1.0 / 0.6, 1e-9);
   EXPECT_NEAR(walked({0.0, 0.6, 1.8, 2.4, 3.0, 3.6}).cadence(3.7), 1.0 / 0.6, 1e-9) << "the one at 1.2 s was missed";
   EXPECT_NEAR(walked({0.0, 0.6, 1.2, 1.5, 1.8, 2.4, 3.0}).cadence(3.1), 1.0 / 0.6, 1e-9) << "the one at 1.5 s was invented";
 }
 
-TEST(MotionHints, TellNoPaceOfWhoStandsOrHasJustSetOut) {
+TEST(HintIntegrator, TellNoPaceOfWhoStandsOrHasJustSetOut) {
   EXPECT_EQ(walked({}).cadence(1.0), 0.0);
   EXPECT_EQ(walked({0.0, 0.6}).cadence(0.7), 0.0);
   EXPECT_EQ(walked({0.0, 0.6, 1.2, 1.8}).cadence(9.0), 0.0);
@@ -53,13 +53,13 @@ double unsure_of_pace(bool in_step) {
   return std::sqrt(squares / walking);
 }
 
-TEST(MotionHints, StepsThatAreHeardTellMoreOfThePaceThanEchoesWithoutThem) {
+TEST(HintIntegrator, StepsThatAreHeardTellMoreOfThePaceThanEchoesWithoutThem) {
   EXPECT_LT(unsure_of_pace(true), 0.6 * unsure_of_pace(false));
   EXPECT_GT(unsure_of_pace(true), 0.02) << "steps are not all of one length";
 }
 
 // One step that a detector invents, or reports late, does not set a wearer walking who stands.
-TEST(MotionHints, OneStepIsNoWalkAndThreeAreOne) {
+TEST(HintIntegrator, OneStepIsNoWalkAndThreeAreOne) {
   const auto odds_of_standing = [](int steps) {
     HintIntegrator hints;
     double odds = 1.0;
@@ -99,17 +99,17 @@ double worst_heading_error(double late) {
   return worst;
 }
 
-TEST(MotionHints, AHeadingDoesNotLagBehindATurn) {
+TEST(HintIntegrator, AHeadingDoesNotLagBehindATurn) {
   // What has been turned since the last reading is guessed from it: at the ends of the turn by 40 ms of 90 degrees a second.
   EXPECT_LT(worst_heading_error(0.0), 3.6);
 }
 
-TEST(MotionHints, ALateReadingMendsWhatWasGuessedInItsPlace) {
+TEST(HintIntegrator, ALateReadingMendsWhatWasGuessedInItsPlace) {
   EXPECT_LT(worst_heading_error(0.1), 90.0 * (0.04 + 0.1) + 0.1);
 }
 
 // Amid a steady turn nothing is left to guess.
-TEST(MotionHints, ASteadyTurnIsFollowedExactly) {
+TEST(HintIntegrator, ASteadyTurnIsFollowedExactly) {
   HintIntegrator hints;
   double heading = 0.0;
   double t = 0.0;
@@ -125,7 +125,7 @@ TEST(MotionHints, ASteadyTurnIsFollowedExactly) {
 
 // A belt listens for 60 ms before it tells of a firing, the phone's sensors tell at once. Live and in a recording, where all
 // is in order of time, the wearer faces the same way.
-TEST(MotionHints, WhatComesBeforeAFiringThoughItIsLaterWaitsForItsTime) {
+TEST(HintIntegrator, WhatComesBeforeAFiringThoughItIsLaterWaitsForItsTime) {
   const auto headings = [](double early) {
     HintIntegrator hints;
     std::vector<double> turns;
@@ -142,20 +142,20 @@ TEST(MotionHints, WhatComesBeforeAFiringThoughItIsLaterWaitsForItsTime) {
   EXPECT_EQ(headings(0.06), headings(0.0));
 }
 
-TEST(MotionHints, OneThatIsStampedFarAheadDoesNotHoldUpTheOthers) {
+TEST(HintIntegrator, OneThatIsStampedFarAheadDoesNotHoldUpTheOthers) {
   HintIntegrator hints;
   hints.on_hint({1e6, MotionKind::yaw_rate, 1.0});
   for (int i = 0; i <= 25; ++i) hints.on_hint({0.04 * i, MotionKind::yaw_rate, degrees(10.0)});
   EXPECT_NEAR(to_degrees(hints.close(1.0, 1.0).turn), 10.0, 1e-9);
 }
 
-TEST(MotionHints, WhileNoBeltIsHeardTurnsAreCountedAllTheSame) {
+TEST(HintIntegrator, WhileNoBeltIsHeardTurnsAreCountedAllTheSame) {
   HintIntegrator hints;
   for (int i = 0; i <= 1000; ++i) hints.on_hint({0.02 * i, MotionKind::yaw_rate, degrees(5.0)});
   EXPECT_NEAR(to_degrees(hints.close(20.0, 20.0).turn), 100.0, 1e-6);
 }
 
-TEST(MotionHints, AGyroscopeThatFallsSilentTurnsForHalfASecondMoreAndNoFurther) {
+TEST(HintIntegrator, AGyroscopeThatFallsSilentTurnsForHalfASecondMoreAndNoFurther) {
   HintIntegrator hints;
   for (int i = 0; i <= 25; ++i) hints.on_hint({0.04 * i, MotionKind::yaw_rate, degrees(10.0)});
   double heading = hints.close(1.0, 1.0).turn;
