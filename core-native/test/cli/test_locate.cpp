@@ -252,6 +252,7 @@ TEST_F(Locate, RefusesARestartFarOutsideItsRoom) {
   ASSERT_TRUE(write_scan_log(*log, prefix_ + ".scans.csv").ok());
   const ProcessResult result = locate({"--start", start_});
   EXPECT_EQ(result.status, 2);
+  EXPECT_TRUE(result.err.starts_with(prefix_ + ".scans.csv:")) << result.err;
   EXPECT_NE(result.err.find(": at 1.00 s the start (10, 5) lies "), std::string::npos) << result.err;
 }
 

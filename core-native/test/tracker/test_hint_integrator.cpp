@@ -1,4 +1,4 @@
-#include "tracker/motion.hpp"
+#include "tracker/hint_integrator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "echoway/units.hpp"
+#include "tracker/motion.hpp"
 
 namespace echoway::tracker {
 namespace {
@@ -79,19 +80,23 @@ TEST(HintIntegrator, OneStepIsNoWalkAndThreeAreOne) {
 // Stands for a second, turns by 90 degrees in one, stands again.
 double turned_by(double time_s) { return degrees(90.0) * std::clamp(time_s - 1.0, 0.0, 1.0); }
 
+// A gyroscope that reports the mean rate of each `period` seconds of that turn, up to `until`; `reported` counts.
+void report_turn(HintIntegrator& hints, double period, double until, int& reported) {
+  for (; (reported + 1) * period <= until; ++reported) {
+    const double end = (reported + 1) * period;
+    hints.on_hint({end, MotionKind::yaw_rate, (turned_by(end) - turned_by(end - period)) / period});
+  }
+}
+
 // The worst error of the heading over three seconds, degrees, of a gyroscope that reports 25 times a second the mean rate of
 // the time since its last report, each reading `late` seconds after its stamp.
 double worst_heading_error(double late) {
-  constexpr double kPeriod = 0.04;
   HintIntegrator hints;
   double heading = 0.0;
   double worst = 0.0;
   int reported = 0;
   for (double t = 0.0624; t < 3.0; t += 0.0624) {
-    for (; (reported + 1) * kPeriod + late <= t; ++reported) {
-      const double end = (reported + 1) * kPeriod;
-      hints.on_hint({end, MotionKind::yaw_rate, (turned_by(end) - turned_by(end - kPeriod)) / kPeriod});
-    }
+    report_turn(hints, 0.04, t - late, reported);
     heading += hints.close(t, 0.0624).turn;
     worst = std::max(worst, std::abs(to_degrees(heading - turned_by(t))));
   }
@@ -131,10 +136,7 @@ TEST(HintIntegrator, WhatComesBeforeAFiringThoughItIsLaterWaitsForItsTime) {
     std::vector<double> turns;
     int reported = 0;
     for (double t = 0.0624; t < 3.0; t += 0.0624) {
-      for (; (reported + 1) * 0.02 <= t + early; ++reported) {
-        const double end = (reported + 1) * 0.02;
-        hints.on_hint({end, MotionKind::yaw_rate, (turned_by(end) - turned_by(end - 0.02)) / 0.02});
-      }
+      report_turn(hints, 0.02, t + early, reported);
       turns.push_back(hints.close(t, 0.0624).turn);
     }
     return turns;
