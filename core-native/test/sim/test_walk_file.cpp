@@ -86,6 +86,15 @@ TEST(WalkFile, SaysWhereAndWhatIsWrong) {
   EXPECT_THAT(error_of("units yards\n"), HasSubstr("m or ft"));
 }
 
+TEST(WalkFile, RefusesWhatIsAboutTheWholeWalkOnceItHasStarted) {
+  for (const std::string line : {"building ..", "seed 7", "units ft", "profile hard", "world dropout 0.1", "belt sensors 12"}) {
+    const std::string keyword = line.substr(0, line.find(' '));
+    EXPECT_EQ(error_of("start 1 2 3 0\n" + line + "\n"),
+              "round.walk:2: `" + keyword + "` is about the whole walk; put it before `start`");
+    EXPECT_EQ(error_of(line + "\nstart 1 2 3 0\n"), "no error");
+  }
+}
+
 TEST(WalkFile, ErrorsOfTheWalkItselfNameTheirLine) {
   const Result<Walk> walk = parse_walk("start hall 1 1 0\nto office 1 1\nto cellar 1 1\n", "round.walk");
   ASSERT_TRUE(walk.ok());

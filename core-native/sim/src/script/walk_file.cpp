@@ -1,5 +1,7 @@
 #include "echoway/sim/walk_file.hpp"
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -24,36 +26,37 @@ class Parser {
     Words words(text, walk_.file, number);
     if (words.empty()) return success();
     const std::string keyword = words.keyword();
-    Status status = header(keyword, words);
-    if (status.ok() && !known_) status = action(keyword, words);
-    if (!status.ok()) return status;
+    const bool whole = std::find(kAboutTheWhole.begin(), kAboutTheWhole.end(), keyword) != kAboutTheWhole.end();
+    if (Status status = whole ? header(keyword, words) : action(keyword, words); !status.ok()) return status;
     return words.finish();
   }
 
   Result<Walk> finish() {
-    if (walk_.start.room.empty()) {
+    if (!started()) {
       return Error{"the walk has no start; add a line `start ROOM x y heading`", walk_.file, 0};
     }
     return std::move(walk_);
   }
 
  private:
-  // Lines about the whole walk. Leaves known_ false when the keyword is not one of them.
+  [[nodiscard]] bool started() const { return !walk_.start.room.empty(); }
+
+  static constexpr std::array<std::string_view, 6> kAboutTheWhole{"building", "seed", "units", "profile", "world", "belt"};
+
+  // One of kAboutTheWhole. Later in the file it would be taken for something that happens from there on.
   Status header(const std::string& keyword, Words& words) {
-    known_ = true;
+    if (started()) return words.error("`" + keyword + "` is about the whole walk; put it before `start`");
     if (keyword == "building") return words.text("a folder", walk_.building);
     if (keyword == "seed") return words.seed(walk_.seed);
     if (keyword == "units") return units(words);
     if (keyword == "profile") return profile(words);
     if (keyword == "world") return world(words);
-    if (keyword == "belt") return belt(words);
-    if (keyword == "start") return start(words);
-    known_ = false;
-    return success();
+    return belt(words);
   }
 
   Status action(const std::string& keyword, Words& words) {
-    if (walk_.start.room.empty()) {
+    if (keyword == "start") return start(words);
+    if (!started()) {
       return words.error("`" + keyword + "` comes before `start ROOM x y heading`, or is no keyword of a walk file");
     }
     if (keyword == "to") return to(words);
@@ -134,7 +137,7 @@ class Parser {
   }
 
   Status start(Words& words) {
-    if (!walk_.start.room.empty()) return words.error("the walk has started already; move with `to` or `teleport`");
+    if (started()) return words.error("the walk has started already; move with `to` or `teleport`");
     walk_.start_line = line_;
     if (Status status = place(words, walk_.start); !status.ok()) return status;
     return heading(words, walk_.start_heading);
@@ -235,7 +238,6 @@ class Parser {
   Walk walk_;
   double unit_ = 1.0;
   int line_ = 0;
-  bool known_ = false;
   bool world_touched_ = false;
 };
 
