@@ -31,6 +31,7 @@ struct Nuisance {
 };
 
 void kill_sensors(Setting& setting, double count, int number) {
+  if (count < 1.0) return;   // A fault that names no sensor is one of all.
   Random random(static_cast<std::uint64_t>(number) + 31);
   std::vector<int> sensors;
   for (int i = 0; i < setting.walk.belt.sensors; ++i) sensors.push_back(i);

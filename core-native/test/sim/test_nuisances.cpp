@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "echoway/sim/walk_file.hpp"
 #include "sim/rooms.hpp"
 
 namespace echoway::sim {
@@ -57,6 +58,25 @@ TEST(SimNuisances, ADeadSensorIsSilentUntilMended) {
   for (const Firing& firing : of_sensor(run(walk), 0)) {
     EXPECT_EQ(firing.has_echo(), firing.time_s < 5.0 || firing.time_s >= 25.0) << firing.time_s;
   }
+}
+
+TEST(SimNuisances, AllSensorsCanBeDeadOrStuckAndMendedAtOnce) {
+  const auto walk = parse_walk(
+      "start office 2 2 0\npause 5\nstuck all 1.25\npause 5\ndead all\npause 5\nmend all\npause 5\n", "faults.walk");
+  ASSERT_TRUE(walk.ok()) << walk.error().to_string();
+  const std::vector<Firing> firings = run(*walk).scans.firings;
+  const auto within = [&](double begin_s, double end_s) {
+    std::vector<Firing> part;
+    for (const Firing& firing : firings) {
+      if (firing.time_s >= begin_s && firing.time_s < end_s) part.push_back(firing);
+    }
+    return part;
+  };
+  const auto stuck = [](const Firing& firing) { return std::abs(firing.range_m - 1.25) < 0.01; };
+  EXPECT_EQ(share(within(5.0, 10.0), stuck), 1.0);
+  EXPECT_EQ(share(within(10.0, 15.0), silent), 1.0);
+  EXPECT_LT(share(within(15.0, 20.0), silent), 1.0);
+  EXPECT_LT(share(within(15.0, 20.0), stuck), 0.5);
 }
 
 TEST(SimNuisances, AStuckSensorSaysTheSameWhereverTheWearerGoes) {

@@ -3,18 +3,14 @@
 namespace echoway::sim {
 
 void SensorFaults::cover(const Cover& cover, double now_s) {
-  const double until = now_s + cover.seconds;
-  if (cover.sensors.empty()) {
-    for (State& state : sensors_) state.covered_until_s = until;
-  }
-  for (const int sensor : cover.sensors) sensors_.at(static_cast<std::size_t>(sensor)).covered_until_s = until;
+  each(cover.sensors, [until = now_s + cover.seconds](State& state) { state.covered_until_s = until; });
 }
 
 void SensorFaults::set(const SensorFault& fault) {
-  for (const int sensor : fault.sensors) {
-    sensors_[static_cast<std::size_t>(sensor)].fault = fault.kind;
-    sensors_[static_cast<std::size_t>(sensor)].stuck_at_m = fault.range_m;
-  }
+  each(fault.sensors, [&fault](State& state) {
+    state.fault = fault.kind;
+    state.stuck_at_m = fault.range_m;
+  });
 }
 
 std::optional<double> SensorFaults::apply(int sensor, double now_s, std::optional<double> range) const {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "echoway/sim/walk.hpp"
 
@@ -22,6 +25,13 @@ class SensorFaults {
     double stuck_at_m = 0.0;
     double covered_until_s = -1.0;
   };
+  /// Changes those sensors; all where none is named.
+  template <class Change>
+  void each(const std::vector<int>& sensors, Change change) {
+    if (sensors.empty()) std::for_each(sensors_.begin(), sensors_.end(), change);
+    for (const int sensor : sensors) change(sensors_.at(static_cast<std::size_t>(sensor)));
+  }
+
   std::array<State, kMaxSensors> sensors_{};
 };
 

@@ -169,14 +169,14 @@ class Parser {
 
   Status cover(Words& words) {
     Cover step;
-    if (Status status = words.sensors(walk_.belt.sensors, true, step.sensors); !status.ok()) return status;
+    if (Status status = words.sensors(walk_.belt.sensors, step.sensors); !status.ok()) return status;
     if (Status status = words.number("seconds", 0.0, kLongest, step.seconds); !status.ok()) return status;
     return add(step);
   }
 
   Status fault(Words& words, SensorFault::Kind kind) {
     SensorFault step{kind, {}, 1.0};
-    if (Status status = words.sensors(walk_.belt.sensors, false, step.sensors); !status.ok()) return status;
+    if (Status status = words.sensors(walk_.belt.sensors, step.sensors); !status.ok()) return status;
     if (kind == SensorFault::Kind::stuck) {
       if (Status status = words.number("range", 0.0, 100.0, step.range_m); !status.ok()) return status;
       step.range_m *= unit_;

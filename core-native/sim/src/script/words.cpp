@@ -70,13 +70,11 @@ Status Words::seed(std::uint64_t& out) {
   return errno == ERANGE ? Status(error("the seed is too large")) : success();
 }
 
-Status Words::sensors(int count, bool all_allowed, std::vector<int>& out) {
+Status Words::sensors(int count, std::vector<int>& out) {
   std::string word;
-  if (Status status = text(all_allowed ? "sensors (0,1,14 or all)" : "sensors (0,1,14)", word); !status.ok()) {
-    return status;
-  }
+  if (Status status = text("sensors (0,1,14 or all)", word); !status.ok()) return status;
   out.clear();
-  if (all_allowed && word == "all") return success();
+  if (word == "all") return success();
   std::size_t begin = 0;
   while (begin <= word.size()) {
     const std::size_t end = std::min(word.find(',', begin), word.size());

@@ -22,8 +22,8 @@ class Words {
   Status number(std::string_view what, double low, double high, double& out);
   Status integer(std::string_view what, int low, int high, int& out);
   Status seed(std::uint64_t& out);
-  /// `3`, `0,1,14` or, where `all_allowed`, `all` (an empty list).
-  Status sensors(int count, bool all_allowed, std::vector<int>& out);
+  /// `3`, `0,1,14` or `all` (an empty list).
+  Status sensors(int count, std::vector<int>& out);
 
   /// Fails when words are left over.
   Status finish() const;

@@ -52,7 +52,7 @@ struct Cover {
 };
 struct SensorFault {
   enum class Kind : std::uint8_t { dead, stuck, mended } kind = Kind::dead;
-  std::vector<int> sensors;
+  std::vector<int> sensors;  ///< Empty: all.
   double range_m = 1.0;  ///< What a stuck sensor says.
 };
 /// Shuts or opens the doors between two rooms.
