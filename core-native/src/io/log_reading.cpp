@@ -136,7 +136,11 @@ Problem read_motion(const csv::Row& row, Clock& clock, MotionHint& hint) {
   if (!kind) return "kind is '" + std::string(row.text(1)) + "', not step, yaw_rate_dps or heading_deg";
   hint.kind = *kind;
   if (auto problem = read_number(row, 2, kMaxAngle, hint.value)) return problem;
-  if (hint.kind != MotionKind::step) hint.value = degrees(hint.value);
+  if (hint.kind == MotionKind::step) {
+    if (hint.value != 1.0) return "the value of a step is '" + std::string(row.text(2)) + "', not 1; each step has a row";
+    return std::nullopt;
+  }
+  hint.value = degrees(hint.value);
   return std::nullopt;
 }
 

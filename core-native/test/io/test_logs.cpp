@@ -234,6 +234,7 @@ TEST_F(Logs, MotionSaysWhichRowIsWrong) {
   const std::string header = "time_s,kind,value\n";
   EXPECT_THAT(motion_error(header + "0,jump,1\n"), HasSubstr("f.csv:2: kind is 'jump'"));
   EXPECT_THAT(motion_error(header + "0,step,\n"), HasSubstr("value is missing"));
+  EXPECT_THAT(motion_error(header + "0,step,1.0\n1,step,2\n"), HasSubstr("f.csv:3: the value of a step is '2', not 1"));
   EXPECT_THAT(motion_error(header + "0,yaw_rate_dps,nan\n"), HasSubstr("value is 'nan'"));
   EXPECT_THAT(motion_error(header + "1,step,1\n0,step,1\n"), HasSubstr("f.csv:3: time_s goes back"));
 }

@@ -69,6 +69,11 @@ class WalkLogTest {
         }
     }
 
+    @Test fun refusesAStepOfAnotherValueThanOne() {
+        val error = assertThrows(IOException::class.java) { read("time_s,sensor,range_m\n0.0,0,1.5\n", "time_s,kind,value\n0.0,step,1.0\n0.5,step,2\n") }
+        assertTrue(error.message, error.message!!.startsWith("line 3: 0.5,step,2"))
+    }
+
     @Test fun refusesAnEmptyLogAndAnImpossibleSensor() {
         assertThrows(IOException::class.java) { read("time_s,sensor,range_m\n") }
         assertThrows(IOException::class.java) { read("# sensors 3\ntime_s,sensor,range_m\n0.0,3,1.0\n") }
