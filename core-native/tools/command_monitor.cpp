@@ -1,14 +1,19 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <thread>
 
+#include "belt_time.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "echoway/building/loader.hpp"
@@ -24,6 +29,8 @@ using Clock = std::chrono::steady_clock;
 
 // Often enough to notice a silent belt within two seconds.
 constexpr int kTickMs = 250;
+// What Linux keeps of a line that is not read: all of it in one go tells how much came at once.
+constexpr std::size_t kLineHolds = 4096;
 // A belt that was pulled out is waited for this long before the command ends.
 constexpr std::chrono::seconds kReturnWait{5};
 
@@ -40,7 +47,10 @@ struct MonitorOptions {
 class Monitor {
  public:
   Monitor(Session& session, const MonitorOptions& options)
-      : session_(session), options_(options), report_(session, options.session.speech_style()) {}
+      : session_(session),
+        options_(options),
+        report_(session, options.session.speech_style()),
+        time_(session.config().belt.slot_s) {}
 
   int run() {
     Result<SerialPort> port = SerialPort::open(options_.port, options_.baud);
@@ -60,17 +70,32 @@ class Monitor {
   }
 
  private:
-  [[nodiscard]] double now() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+  [[nodiscard]] double host_time() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+  [[nodiscard]] double now() const { return time_.at(host_time()); }
 
   void listen(SerialPort& line) {
-    std::array<std::uint8_t, 512> buffer{};
+    std::array<std::uint8_t, kLineHolds> buffer{};
     while (!interrupted) {
       const SerialPort::Read read = line.read(buffer, kTickMs);
       if (read.outcome == SerialPort::Outcome::closed) return;
-      if (read.count > 0) session_.on_bytes(std::span(buffer).first(read.count), now());
+      take(std::span(buffer).first(read.count));
       if (other_belt()) return;
       session_.on_tick(now());
       report_.update();
+    }
+  }
+
+  void take(std::span<const std::uint8_t> bytes) {
+    time_.on_read(static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), '$')), host_time());
+    while (!bytes.empty()) {
+      const auto end = static_cast<std::size_t>(std::find(bytes.begin() + 1, bytes.end(), '$') - bytes.begin());
+      const std::uint64_t lost = session_.belt_health().lost_firings;
+      const double arrival = time_.next();
+      const int firings = session_.on_bytes(bytes.first(end), arrival);
+      time_.on_firings(firings, session_.belt_health().lost_firings - lost);
+      session_.on_tick(arrival);
+      report_.update();
+      bytes = bytes.subspan(end);
     }
   }
 
@@ -97,6 +122,7 @@ class Monitor {
   Session& session_;
   const MonitorOptions& options_;
   LiveReport report_;
+  BeltTime time_;
   Clock::time_point begin_ = Clock::now();
 };
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,30 @@ TEST(Monitor, FollowsABeltOnAPseudoTerminalFromConnectionToLoss) {
   EXPECT_NE(heard.find(std::to_string(sentences) + " sentences; dropped 0 with a bad checksum, 0 malformed; 0 firings lost\n"),
             std::string::npos)
       << heard;
+}
+
+// A recording that is sent to the port as fast as it takes it: the wearer did not walk any faster.
+TEST(Monitor, FollowsAWalkThatComesFarFasterThanABeltFires) {
+  const TemporaryFolder folder;
+  const std::string walk = kLab + "/walks/thesis.walk";
+  const std::string prefix = (folder.path() / "walk").string();
+  ASSERT_EQ(run_echoway({"simulate", "--walk", walk, "--out", prefix}).status, 0);
+  const auto truth = read_truth_log(prefix + ".truth.csv");
+  ASSERT_TRUE(truth.ok());
+  const TruthRow& first = truth->front();
+  const std::string start = first.room + "," + std::to_string(first.pose.position.x) + "," +
+                            std::to_string(first.pose.position.y) + "," + std::to_string(to_degrees(first.pose.heading));
+
+  BackgroundEchoway belt({"play", "--scans", prefix + ".scans.csv", "--speed", "1000"});
+  BackgroundEchoway monitor({"monitor", "--building", kLab, "--port", belt.read_line(), "--start", start});
+  std::string last;
+  for (std::string line = monitor.read_line(); !line.empty(); line = monitor.read_line()) {
+    if (line.find("  room ") != std::string::npos) last = line;
+    EXPECT_EQ(line.find("Not sure"), std::string::npos) << line;
+  }
+  EXPECT_NE(last.find(" s  room " + truth->back().room + " "), std::string::npos) << last;
+  EXPECT_TRUE(last.ends_with("tracking")) << last;
+  EXPECT_NEAR(std::strtod(last.c_str(), nullptr), truth->back().time_s - truth->front().time_s, 3.0) << last;
 }
 
 TEST(Play, EndsWhenNobodyReads) {
