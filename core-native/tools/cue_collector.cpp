@@ -1,12 +1,26 @@
 #include "cue_collector.hpp"
 
+#include <algorithm>
+#include <utility>
+
+#include "echoway/guidance/guide_config.hpp"
+
 namespace echoway::tools {
 
 std::size_t CueCollector::collect() {
   const std::size_t before = cues_.size();
   Cue cue;
-  while (session_.next_cue(cue)) cues_.push_back({cue.time_s, to_string(cue.kind), speaker_.say(cue)});
+  while (session_.next_cue(cue)) {
+    SpokenCue spoken{cue.time_s, to_string(cue.kind), speaker_.say(cue)};
+    if (!said_lately(spoken)) cues_.push_back(std::move(spoken));
+  }
   return cues_.size() - before;
+}
+
+bool CueCollector::said_lately(const SpokenCue& cue) const {
+  const double since = cue.time_s - GuideConfig{}.repeat_gap_s;
+  const auto old = std::find_if(cues_.rbegin(), cues_.rend(), [since](const SpokenCue& said) { return said.time_s <= since; });
+  return std::any_of(cues_.rbegin(), old, [&cue](const SpokenCue& said) { return said.text == cue.text; });
 }
 
 std::string csv_quoted(std::string_view text) {

@@ -15,7 +15,8 @@ struct SpokenCue {
   std::string text;
 };
 
-/// Takes the cues of a session and puts them into words.
+/// Takes the cues of a session and puts them into words. Two cues may have the same words (a turn and a sharper one "to four
+/// o'clock"): as in the app, nobody hears those twice in ten seconds.
 class CueCollector {
  public:
   CueCollector(Session& session, const SpeechStyle& style) : session_(session), speaker_(session.building(), style) {}
@@ -25,6 +26,8 @@ class CueCollector {
   [[nodiscard]] const std::vector<SpokenCue>& cues() const { return cues_; }
 
  private:
+  [[nodiscard]] bool said_lately(const SpokenCue& cue) const;
+
   Session& session_;
   Speaker speaker_;
   std::vector<SpokenCue> cues_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <sstream>
 #include <string>
 
 #include "echoway/io/logs.hpp"
@@ -47,6 +49,33 @@ TEST_F(Locate, WritesARowPerFiringWithTheTracker) {
   const ProcessResult result = locate({"--start", start_, "--motion", prefix_ + ".motion.csv"});
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(read_track_log(track_)->size(), read_scan_log(prefix_ + ".scans.csv")->firings.size());
+}
+
+// By the clock face a turn and a sharper one are told in the same words.
+TEST(Cues, NobodyHearsTheSameWordsTwiceInTenSeconds) {
+  const TemporaryFolder folder;
+  const std::string prefix = (folder.path() / "walk").string();
+  const std::string room = std::string(ECHOWAY_MAPS_DIR) + "/sample-room";
+  std::size_t by_the_clock = 0;
+  for (const char* seed : {"2", "5", "6", "7"}) {
+    ASSERT_EQ(run_echoway({"simulate", "--building", room, "--random", "90", "--seed", seed, "--out", prefix}).status, 0);
+    ASSERT_EQ(run_echoway({"locate", "--building", room, "--scans", prefix + ".scans.csv", "--motion", prefix + ".motion.csv",
+                           "--to", "exit", "--directions", "clock", "--track", prefix + ".track.csv", "--cues", prefix + ".cues.csv"})
+                  .status, 0);
+    std::istringstream rows(test::read_file(prefix + ".cues.csv"));
+    std::string row;
+    std::getline(rows, row);
+    std::map<std::string, double> said;
+    while (std::getline(rows, row)) {
+      const double time = std::stod(row);
+      const std::string words = row.substr(row.find('"'));
+      const auto [before, fresh] = said.try_emplace(words, time);
+      EXPECT_TRUE(fresh || time - before->second > 9.99) << "seed " << seed << ": " << words << " at " << time << " s";
+      before->second = time;
+      by_the_clock += words.find("o'clock") != std::string::npos;
+    }
+  }
+  EXPECT_GT(by_the_clock, 10U);
 }
 
 TEST_F(Locate, WritesARowPerTwoPassesWithTheThesisMethod) {
