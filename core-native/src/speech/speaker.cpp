@@ -51,11 +51,11 @@ int hour(double direction) {
   return wrapped == 0 ? 12 : wrapped;
 }
 
-/// Puts the parts of one cue into words.
+/// Puts the parts of one cue into words; unless `named`, with one word for every name of the building's.
 class Line {
  public:
-  Line(const Building& building, const SpeechStyle& style, const LanguageTable& table, const Cue& cue)
-      : building_(building), style_(style), t_(table), cue_(cue) {}
+  Line(const Building& building, const SpeechStyle& style, const Cue& cue, bool named)
+      : building_(building), style_(style), t_(table_of(style.language)), cue_(cue), named_(named) {}
 
   [[nodiscard]] std::string say(CueKind kind, double direction, double distance_m) const {
     return expand(kind, direction, distance_m);
@@ -97,14 +97,16 @@ class Line {
     if (key == "side") return t_.sides[side_of(direction)];
     if (key == "on") return cue_.has_direction ? on_side(direction) : "";
     if (key == "dist") return distance_m < 0.0 ? "" : length(distance_m);
-    if (key == "what") return landmark(kind);
-    if (key == "room") return room(cue_.room);
+    if (key == "what") return name(landmark(kind));
+    if (key == "room") return name(room(cue_.room));
     if (key == "sensor") return t_.sensors[eighth(direction)];
     if (key == "up") return cue_.up ? t_.up : t_.down;
     if (key == "level") return level();
     if (key == "stairs") return cue_.count > 0 ? counted(t_, t_.stair, 2 * cue_.count) : "";
     return {};
   }
+
+  [[nodiscard]] std::string name(const std::string& words) const { return named_ || words.empty() ? words : "name"; }
 
   [[nodiscard]] std::string where(double direction) const {
     if (style_.direction == DirectionStyle::clock) {
@@ -198,7 +200,32 @@ class Line {
   const SpeechStyle& style_;
   const LanguageTable& t_;
   const Cue& cue_;
+  const bool named_;
 };
+
+// So many words, and no more, in a sentence; the building's names may be as long as they are.
+constexpr int kMostWords = 8;
+
+int words_of_longest_sentence(std::string_view line) {
+  int longest = 0;
+  int words = 0;
+  while (!line.empty()) {
+    const std::string_view word = line.substr(0, line.find(' '));
+    line.remove_prefix(std::min(line.size(), word.size() + 1));
+    if (word != ":") longest = std::max(longest, ++words);   // French writes a colon apart.
+    if (word.ends_with('.')) words = 0;
+  }
+  return longest;
+}
+
+/// What would be too long tells the direction by its side, and leaves the distance out where it still is.
+std::string say_briefly(const Building& building, SpeechStyle style, const Cue& cue, CueTail fact) {
+  const auto say = [&](bool named) { return Line(building, style, cue, named).say(fact.kind, fact.direction, fact.distance_m); };
+  const auto is_too_long = [&] { return words_of_longest_sentence(say(false)) > kMostWords; };
+  if (is_too_long()) style.direction = DirectionStyle::sides;
+  if (is_too_long()) fact.distance_m = -1.0;
+  return say(true);
+}
 
 /// Every sentence begins with a capital; names that begin beyond ASCII are left as they are.
 void capitalise(std::string& line) {
@@ -225,9 +252,8 @@ Result<Language> language_of(std::string_view tag) {
 const char* tag_of(Language language) noexcept { return table_of(language).tag; }
 
 std::string Speaker::say(const Cue& cue) const {
-  const Line line(*building_, style_, table_of(style_.language), cue);
-  std::string words = line.say(cue.kind, cue.direction, cue.distance_m);
-  if (cue.tail.present) words.append(" ").append(line.say(cue.tail.kind, cue.tail.direction, cue.tail.distance_m));
+  std::string words = say_briefly(*building_, style_, cue, {cue.kind, true, cue.direction, cue.distance_m});
+  if (cue.tail.present) words.append(" ").append(say_briefly(*building_, style_, cue, cue.tail));
   capitalise(words);
   return words;
 }

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
+#include <sstream>
 
 #include "support/plans.hpp"
 
@@ -203,24 +205,58 @@ TEST_F(SpeakerTest, SpeaksFrenchWithItsOwnPlural) {
   EXPECT_EQ(say(at(CueKind::turn, -60)), "Tournez à deux heures.");
 }
 
-TEST_F(SpeakerTest, EveryLineIsShortAndHasNoHoles) {
+// What stands between blanks and has a letter in it.
+int most_words_of_a_sentence(const std::string& line) {
+  std::istringstream words(line);
+  std::string word;
+  int most = 0;
+  for (int count = 0; words >> word;) {
+    if (std::any_of(word.begin(), word.end(), [](unsigned char c) { return std::isalnum(c) || c > 127; })) ++count;
+    most = std::max(most, count);
+    if (word.ends_with('.')) count = 0;
+  }
+  return most;
+}
+
+TEST_F(SpeakerTest, NoSentenceHasMoreThanEightWordsHoweverDirectionsAndLengthsAreTold) {
   for (const Language language : {Language::english, Language::german, Language::french}) {
-    style.language = language;
-    for (int k = 0; k < kCueKinds; ++k) {
-      for (const double angle : {0.0, 30.0, -90.0, 140.0, 180.0}) {
-        Cue cue = at(static_cast<CueKind>(k), angle, 6.0);
-        cue.room = 1;
-        const std::string words = say(cue);
-        EXPECT_THAT(words, Not(HasSubstr("{")));
-        EXPECT_THAT(words, Not(HasSubstr("[")));
-        EXPECT_EQ(words.back(), '.');
-        const auto spaces = std::count(words.begin(), words.end(), ' ');
-        // The one line that is longer, "Not sure where you are. Stop and turn slowly.", is not a routine one.
-        const int most = language == Language::french ? 9 : 8;
-        EXPECT_LT(spaces, cue.kind == CueKind::uncertain ? 10 : most) << words;
+    for (const auto direction : {DirectionStyle::sides, DirectionStyle::clock, DirectionStyle::degrees}) {
+      for (const auto length : {LengthStyle::feet, LengthStyle::metres, LengthStyle::steps}) {
+        style = {language, direction, length};
+        for (int k = 0; k < kCueKinds; ++k) {
+          for (int angle = -170; angle <= 180; angle += 10) {
+            for (const double metres : {-1.0, 0.3, 0.5, 0.8, 1.5, 2.5, 6.4, 21.0, 38.0}) {
+              Cue cue = with_landmark(at(static_cast<CueKind>(k), angle, metres), CueLandmark::Kind::place, 0);
+              cue.room = 1;
+              cue.count = 21;
+              for (const double sigma : {0.0, 1.0}) {
+                cue.sigma_m = sigma;
+                const std::string words = say(cue);
+                ASSERT_LE(most_words_of_a_sentence(words), 8) << words;
+                ASSERT_THAT(words, Not(HasSubstr("{")));
+                ASSERT_THAT(words, Not(HasSubstr("[")));
+                ASSERT_EQ(words.back(), '.');
+              }
+            }
+          }
+        }
       }
     }
   }
+}
+
+TEST_F(SpeakerTest, ALineThatWouldBeTooLongTellsTheSideAndKeepsTheDistance) {
+  style.direction = DirectionStyle::clock;
+  style.length = LengthStyle::metres;
+  EXPECT_EQ(say(at(CueKind::obstacle, -35, 1.5)), "Something slightly right, one and a half metres.");
+  EXPECT_EQ(say(at(CueKind::obstacle, -35, 1.0)), "Something at one o'clock, one metre.");
+  style.direction = DirectionStyle::degrees;
+  EXPECT_EQ(say(at(CueKind::door, -110, 1.5)), "Door right, one and a half metres.");
+  EXPECT_EQ(say(at(CueKind::door, -110, 2.0)), "Door right, one hundred ten degrees, two metres.");
+  // A name is as long as it is.
+  building.places[0].name = "Lectern of the large lecture hall";
+  EXPECT_EQ(say(with_landmark(at(CueKind::place, -80, 2.0), CueLandmark::Kind::place, 0)),
+            "Lectern of the large lecture hall right, eighty degrees, two metres.");
 }
 
 TEST(LanguageOf, TakesTagsAndRefusesUnknownOnes) {
