@@ -18,7 +18,7 @@ import org.echoway.app.guide.Asking
  */
 internal class GuidancePlayer(private val title: String, private val asking: Asking, private val clock: Clock) :
     SimpleBasePlayer(Looper.getMainLooper()) {
-    private var askedS = Double.NEGATIVE_INFINITY
+    private var pressedS = Double.NEGATIVE_INFINITY
     private var lastKey: VolumeKey? = null
 
     /** The volume keys ask too, even with the screen off; the volume is then the phone's as it was. */
@@ -65,13 +65,13 @@ internal class GuidancePlayer(private val title: String, private val asking: Ask
         return Futures.immediateVoidFuture()
     }
 
-    /** A key that is held, in a glove, repeats itself. */
+    /** A key that is held, in a glove, repeats itself. Both together come one after the other: the second is no question more. */
     private fun onKey(key: VolumeKey): ListenableFuture<*> {
         val now = clock.nowS()
-        val held = key == lastKey && now - askedS < HELD_S
-        askedS = now
+        val asksNoMore = now - pressedS < if (key == lastKey) HELD_S else TOGETHER_S
+        pressedS = now
         lastKey = key
-        return if (held) Futures.immediateVoidFuture() else ask(key.alone)
+        return if (asksNoMore) Futures.immediateVoidFuture() else ask(key.alone)
     }
 
     private fun piece(name: String) = MediaItemData.Builder(name)
@@ -82,6 +82,7 @@ internal class GuidancePlayer(private val title: String, private val asking: Ask
     private companion object {
         val PIECES = listOf("before", "guidance", "after")
         const val HELD_S = 1.0
+        const val TOGETHER_S = 0.3
         const val VOLUME = 1
         val LOUDSPEAKER: DeviceInfo = DeviceInfo.Builder(DeviceInfo.PLAYBACK_TYPE_LOCAL).build()
         val KEYS: DeviceInfo = DeviceInfo.Builder(DeviceInfo.PLAYBACK_TYPE_REMOTE).setMinVolume(0).setMaxVolume(2 * VOLUME).build()

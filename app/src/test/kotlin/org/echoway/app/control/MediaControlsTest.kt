@@ -109,9 +109,24 @@ class MediaControlsTest {
         controls.takesVolumeKeys = true
         settle()
         headset.increaseDeviceVolume(C.VOLUME_FLAG_SHOW_UI)
+        settle()
         headset.decreaseDeviceVolume(C.VOLUME_FLAG_SHOW_UI)
+        settle()
         headset.increaseDeviceVolume(C.VOLUME_FLAG_SHOW_UI)
         settle()
         assertEquals(listOf(Ask.WHERE_AM_I, Ask.WAY_BACK, Ask.WHERE_AM_I), asked)
+    }
+
+    @Test fun bothVolumeKeysTogetherAreOneQuestionHoweverLongTheyAreHeld() {
+        controls.takesVolumeKeys = true
+        settle()
+        headset.decreaseDeviceVolume(C.VOLUME_FLAG_SHOW_UI)
+        ShadowLooper.idleMainLooper(100, TimeUnit.MILLISECONDS)
+        repeat(30) {
+            headset.increaseDeviceVolume(C.VOLUME_FLAG_SHOW_UI)
+            ShadowLooper.idleMainLooper(50, TimeUnit.MILLISECONDS)
+        }
+        settle()
+        assertEquals("what the first of them asks", listOf(Ask.WAY_BACK), asked)
     }
 }
