@@ -11,6 +11,16 @@ interface AudioFocus {
     fun abandon()
 }
 
+/** What [sound] makes of it while the audio is had; [Outcome.REFUSED] when it is not to be had. Given back whatever happens. */
+suspend fun AudioFocus.during(onLoss: () -> Unit, sound: suspend () -> Outcome): Outcome {
+    if (!request(onLoss)) return Outcome.REFUSED
+    try {
+        return sound()
+    } finally {
+        abandon()
+    }
+}
+
 /** The phone's audio focus; silent during calls, for a wearer on the phone must hear the other side. */
 class PhoneAudioFocus(private val manager: AudioManager) : AudioFocus {
     private var held: AudioFocusRequest? = null

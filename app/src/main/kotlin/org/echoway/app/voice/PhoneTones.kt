@@ -3,6 +3,7 @@ package org.echoway.app.voice
 import android.media.AudioManager
 import android.media.ToneGenerator
 import kotlinx.coroutines.CompletableDeferred
+import kotlinx.coroutines.Deferred
 import kotlinx.coroutines.withTimeoutOrNull
 import org.echoway.app.touch.Length
 import org.echoway.app.touch.Strength
@@ -36,17 +37,17 @@ class PhoneTones(private val focus: AudioFocus) : Tones {
 
     override suspend fun play(sign: Touch?): Outcome {
         val lost = CompletableDeferred<Outcome>()
-        if (!focus.request(onLoss = { lost.complete(Outcome.CUT_OFF) })) return Outcome.REFUSED
-        try {
-            for (beep in sign.beeps) {
-                generator?.startTone(beep.pitch, beep.soundMs.toInt())
-                withTimeoutOrNull(beep.soundMs + beep.restMs) { lost.await() }?.let { return it }
-            }
-            return Outcome.SPOKEN
-        } finally {
-            generator?.stopTone()
-            focus.abandon()
-        }
+        return focus.during(onLoss = { lost.complete(Outcome.CUT_OFF) }) { sound(sign.beeps, lost) }
+    }
+
+    /** To the end, or until what [lost] completes with. */
+    private suspend fun sound(beeps: List<Beep>, lost: Deferred<Outcome>): Outcome = try {
+        beeps.firstNotNullOfOrNull { beep ->
+            generator?.startTone(beep.pitch, beep.soundMs.toInt())
+            withTimeoutOrNull(beep.soundMs + beep.restMs) { lost.await() }
+        } ?: Outcome.SPOKEN
+    } finally {
+        generator?.stopTone()
     }
 }
 

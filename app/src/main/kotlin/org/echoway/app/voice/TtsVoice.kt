@@ -56,15 +56,15 @@ class TtsVoice(private val context: Context, private val focus: AudioFocus, priv
             if (SystemClock.elapsedRealtime() - soughtMs >= if (answered) SEEK_AGAIN_MS else UNANSWERED_MS) connect()
             return Outcome.REFUSED
         }
-        if (!focus.request(onLoss = { current?.end(Outcome.CUT_OFF) })) return Outcome.REFUSED
-        try {
-            // An engine that dies half way through calls back no more; all that is still to be said would wait for it.
-            val patience = PATIENCE_MS + PATIENCE_MS_PER_CHARACTER * text.length
-            return withTimeoutOrNull(patience) { suspendCancellableCoroutine { start(text, it) } } ?: Outcome.REFUSED.also { onFailure() }
-        } finally {
-            current = null
-            focus.abandon()
-        }
+        return focus.during(onLoss = { current?.end(Outcome.CUT_OFF) }) { utter(text) }
+    }
+
+    private suspend fun utter(text: String): Outcome = try {
+        // An engine that dies half way through calls back no more; all that is still to be said would wait for it.
+        val patience = PATIENCE_MS + PATIENCE_MS_PER_CHARACTER * text.length
+        withTimeoutOrNull(patience) { suspendCancellableCoroutine { start(text, it) } } ?: Outcome.REFUSED.also { onFailure() }
+    } finally {
+        current = null
     }
 
     override fun speakIn(language: Language?) {
