@@ -17,14 +17,13 @@ void BeltTime::on_read(std::size_t sentences, double host_s) {
   pressure_ = std::min(std::max(0.0, pressure_ - drained) + static_cast<double>(sentences), 2.0 * kBurst);
   pressed_ = pressure_ > kBurst;
   read_at_ = host_s;
-  now_ = at(host_s);
 }
 
-void BeltTime::on_firings(int firings, std::uint64_t lost) {
+void BeltTime::on_firings(int firings, std::uint64_t lost, double host_s) {
   if (firings == 0) return;
   last_ = next() + (pressed_ ? slot_ * (firings - 1 + static_cast<double>(lost)) : 0.0);
-  ahead_ = std::max(ahead_, last_ - read_at_);
-  now_ = at(read_at_);
+  told_ = std::max(told_, last_);
+  if (pressed_) ahead_ = last_ - host_s;
 }
 
 }  // namespace echoway::tools

@@ -71,7 +71,7 @@ class Monitor {
 
  private:
   [[nodiscard]] double host_time() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
-  [[nodiscard]] double now() const { return time_.at(host_time()); }
+  [[nodiscard]] double now() { return time_.tell(host_time()); }
 
   void listen(SerialPort& line) {
     std::array<std::uint8_t, kLineHolds> buffer{};
@@ -92,7 +92,7 @@ class Monitor {
       const std::uint64_t lost = session_.belt_health().lost_firings;
       const double arrival = time_.next();
       const int firings = session_.on_bytes(bytes.first(end), arrival);
-      time_.on_firings(firings, session_.belt_health().lost_firings - lost);
+      time_.on_firings(firings, session_.belt_health().lost_firings - lost, host_time());
       session_.on_tick(arrival);
       report_.update();
       bytes = bytes.subspan(end);
