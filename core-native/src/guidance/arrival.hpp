@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 #include "guidance/announcer.hpp"
 #include "guidance/reaction.hpp"
@@ -19,6 +20,8 @@ class Arrival {
   void forget() noexcept {
     told_at_ = -1.0;
     there_since_ = kNotThere;
+    doubted_at_ = -1.0;
+    doubt_ = false;
   }
   void note_room(const Estimate& estimate) noexcept;
 
@@ -37,6 +40,8 @@ class Arrival {
   };
   /// Tells it to who is there, or will be when it is said. `holding`: the last instruction is still being carried out.
   [[nodiscard]] Now tell(const View& view, bool holding, Announcer& voice);
+  /// True once when the place is worth a doubt before it is told.
+  [[nodiscard]] bool take_doubt() noexcept { return std::exchange(doubt_, false); }
 
  private:
   static constexpr double kNotThere = 1e300;
@@ -45,6 +50,7 @@ class Arrival {
   [[nodiscard]] bool is_there(const View& view, bool holding) const;
   [[nodiscard]] bool walks_past(const View& view) const;
   [[nodiscard]] bool comes_to_a_stand(const View& view, bool holding) const noexcept;
+  [[nodiscard]] bool has_stood_doubt(double now) noexcept;
   [[nodiscard]] Cue cue_for(const Pose2& pose) const;
 
   const Router* router_;
@@ -55,6 +61,8 @@ class Arrival {
   double room_since_ = -1e300; ///< since then.
   double pace_ = 0.0;          ///< At which they walked last, m/s.
   double told_at_ = -1.0;      ///< Negative before.
+  double doubted_at_ = -1.0;   ///< The place was doubted then; negative: not yet.
+  bool doubt_ = false;         ///< It is to be.
   double there_since_ = kNotThere;  ///< They have been at the destination since then.
 };
 

@@ -106,8 +106,12 @@ void Certainty::update(const Estimate& e, bool suspended) noexcept {
   const bool steady = is_narrow(e) && e.time_s - jumped_s_ > kSettled;
   const double lost_after = steady ? c.steady_lost_after_s : c.lost_after_s;
   const bool long_enough = change && e.time_s - changing_since_ >= (lost ? doubt_ * c.found_after_s : lost_after);
-  if (lost && long_enough && (is_within_walk(e) || proof_ >= kProof)) become(Level::sure, e.time_s);
-  else if (!lost && (long_enough || has_moved_away(e, suspended))) become(Level::lost, e.time_s);
+  if (lost && long_enough && (is_within_walk(e) || proof_ >= kProof)) {
+    become(Level::sure, e.time_s);
+    found_in_ = e.room;
+  } else if (!lost && (long_enough || has_moved_away(e, suspended))) {
+    become(Level::lost, e.time_s);
+  }
   if (level_ == Level::lost) return;
   const bool vague = bad || e.sigma_m > c.vague_sigma_m || e.room_probability < c.vague_probability;
   level_ = vague ? Level::vague : Level::sure;

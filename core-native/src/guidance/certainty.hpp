@@ -28,6 +28,8 @@ class Certainty {
   [[nodiscard]] bool fits_now() const noexcept { return fits_now_; }
   /// Whether the wearer's place was known from the first estimate on: somebody said where they start.
   [[nodiscard]] bool was_told() const noexcept { return told_; }
+  /// Whether the wearer has not left the room where the tracker found them by itself: they may be in one that looks the same.
+  [[nodiscard]] bool is_unproven() const noexcept { return !told_ && last_.room == found_in_; }
   /// Whether it has ever been sure of a place.
   [[nodiscard]] bool was_sure() const noexcept { return was_sure_; }
 
@@ -51,6 +53,7 @@ class Certainty {
   double turned_ = 0.0;          ///< and radians, left is positive.
   double proof_ = 0.0;           ///< Radians turned to either side since the place was lost or has jumped.
   Level level_ = Level::lost;
+  RoomIndex found_in_ = kNoRoom; ///< Where the place was believed last after nobody knew it.
   bool was_sure_ = false;
   bool told_ = false;
   bool fits_now_ = false;

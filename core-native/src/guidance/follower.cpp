@@ -64,11 +64,12 @@ bool Follower::find_way(const Estimate& e) {
   return true;
 }
 
-View Follower::look(const Estimate& e, bool vague) {
+View Follower::look(const Estimate& e, const Trust& trust) {
   View view;
   view.estimate = &e;
   view.now = e.time_s;
-  view.vague = vague;
+  view.vague = trust.vague;
+  view.unproven = trust.unproven;
   view.speed = std::isfinite(e.speed_mps) ? std::clamp(e.speed_mps, 0.0, kFastest) : 0.0;
   view.walking = walks(e);
   if (!view.walking) view.speed = 0.0;
@@ -134,7 +135,7 @@ bool Follower::lingers(const View& view) {
   return false;
 }
 
-void Follower::update(const Estimate& newest, bool vague, bool turning, Announcer& voice) {
+void Follower::update(const Estimate& newest, const Trust& trust, bool turning, Announcer& voice) {
   reaction_.watch(newest);
   const Estimate tracked = standing_.settle(newest, walks(newest));
   steering_.watch_place(tracked, walks(newest));
@@ -146,10 +147,12 @@ void Follower::update(const Estimate& newest, bool vague, bool turning, Announce
     return;
   }
   arrival_.note_room(e);
-  View view = look(e, vague);
+  View view = look(e, trust);
   way_.note_progress();
   note_standing(view);
   const bool waits = steering_.watch_stretch(view);
+  // There is a wall where the door should be.
+  if (view.unproven && steering_.has_met_frame(view.now)) headway_.doubt();
   herald_.note_way();
   headway_.update(view.now, way_.route().cost, steering_.last_said());
   if (!lingers(view) && !waits) lead_on(view, turning, voice);
@@ -164,6 +167,11 @@ void Follower::lead_on(const View& view, bool turning, Announcer& voice) {
   herald_.tell(view, voice);
 }
 
+bool Follower::take_doubt() noexcept {
+  const bool there = arrival_.take_doubt();
+  return headway_.take_doubt() || there;
+}
+
 std::optional<double> Follower::direction_from(const Estimate& e) {
   const auto heading = way_.heading_from(e);
   return heading ? std::optional(wrap_angle(*heading - e.pose.heading)) : std::nullopt;
@@ -172,7 +180,7 @@ std::optional<double> Follower::direction_from(const Estimate& e) {
 CueTail Follower::next_step(const Estimate& e, const Cue& line, const Announcer& voice, bool asked) {
   const Estimate here = steering_.place(e);
   if (!active() || !find_way(here)) return {};
-  return steering_.as_tail(look(here, false), line, voice, asked);
+  return steering_.as_tail(look(here, {}), line, voice, asked);
 }
 
 }  // namespace echoway::guidance

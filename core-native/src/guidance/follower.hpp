@@ -40,9 +40,14 @@ class Follower {
   [[nodiscard]] const Route& route() const noexcept { return way_.route(); }
   [[nodiscard]] Status check_way(RoomIndex room, std::optional<Vec2> at) const { return way_.check(room, at); }
 
-  /// Offers at most one line to `voice`. `vague`: only coarse instructions. `turning`: the wearer turns just now and is not
-  /// told where to go before they stand still.
-  void update(const Estimate& estimate, bool vague, bool turning, Announcer& voice);
+  /// How far the wearer's place may be trusted.
+  struct Trust {
+    bool vague = false;     ///< Only coarse instructions.
+    bool unproven = false;  ///< They are in the room where the tracker found them by itself.
+  };
+  /// Offers at most one line to `voice`. `turning`: the wearer turns just now and is not told where to go before they stand
+  /// still.
+  void update(const Estimate& estimate, const Trust& trust, bool turning, Announcer& voice);
 
   /// Something that no plan knows stands at `at` in the wearer's room: the way is laid round it.
   void note_obstacle(const Estimate& estimate, Vec2 at) noexcept { way_.hindrances().hear(estimate.room, at, estimate.time_s); }
@@ -66,13 +71,14 @@ class Follower {
   /// Echoes need not fit until then: stairs or an elevator were taken.
   [[nodiscard]] double suspended_until() const noexcept { return levels_.suspended_until(); }
   [[nodiscard]] std::optional<LevelTransition> take_transition() noexcept { return levels_.take_transition(); }
-  /// True once each time the wearer gets nowhere though the plan has a way.
-  [[nodiscard]] bool take_doubt() noexcept { return headway_.take_doubt(); }
+  /// True once each time the wearer gets nowhere though the plan has a way, or is about to be told that they are there and
+  /// may be elsewhere.
+  [[nodiscard]] bool take_doubt() noexcept;
 
  private:
   void forget_told();
   [[nodiscard]] bool find_way(const Estimate& estimate);
-  [[nodiscard]] View look(const Estimate& estimate, bool vague);
+  [[nodiscard]] View look(const Estimate& estimate, const Trust& trust);
   void note_standing(View& view) noexcept;
   [[nodiscard]] bool is_on_stairs(const Estimate& estimate, Announcer& voice) noexcept;
   void tell_no_way(double now, Announcer& voice);

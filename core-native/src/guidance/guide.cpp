@@ -182,12 +182,12 @@ void Guide::Impl::lead() {
   if (is_sure()) crumbs.drop({estimate.room, estimate.pose.position});
   rooms.update(estimate);
   tell_obstacle();
-  const bool vague = certainty.level() == Certainty::Level::vague;
+  const guidance::Follower::Trust trust{certainty.level() == Certainty::Level::vague, certainty.is_unproven()};
   if (voice.is_way_asked() && voice.is_free(now)) {
     voice.take_way_question();
     follower.tell_again();
   }
-  if (!certainty.jumped(now)) follower.update(estimate, vague, turning.turning() || search.sets_off(now), voice);
+  if (!certainty.jumped(now)) follower.update(estimate, trust, turning.turning() || search.sets_off(now), voice);
   const bool answering = answers.is_answering() || answers.is_where_asked();
   answers.tell(estimate, follower.active() ? &follower.route() : nullptr, voice);
   if (!answering) rooms.tell(now, voice);

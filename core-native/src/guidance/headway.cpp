@@ -17,9 +17,12 @@ void Headway::update(double now, double cost, double instructed_s) noexcept {
   if (elsewhere || cost < least_ - kNearer) count_from(cost);
   led_s_ += seconds;
   if (std::exchange(last_told_, instructed_s) < instructed_s) ++told_;
-  if (led_s_ < kLed || told_ < kTold) return;
+  if (led_s_ >= kLed && told_ >= kTold) doubt();
+}
+
+void Headway::doubt() noexcept {
   doubt_ = true;
-  count_from(cost);
+  count_from(cost_);
 }
 
 void Headway::count_from(double cost) noexcept {

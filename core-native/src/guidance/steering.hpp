@@ -30,6 +30,9 @@ class Steering {
   void watch_place(const Estimate& estimate, bool walking) noexcept { frame_.watch(estimate, walking); }
   [[nodiscard]] Estimate place(const Estimate& estimate) const noexcept { return frame_.place(estimate); }
 
+  /// Whether the wearer has met the frame of the way's next door, at this very moment.
+  [[nodiscard]] bool has_met_frame(double now) const noexcept { return frame_.last_met() >= now; }
+
   // Each offers at most one line; true when that is all there is to say now.
   /// Where the door is, to who has just met its frame or hears a wall where the plan has it.
   [[nodiscard]] bool point_to_door(const View& view, Announcer& voice);

@@ -13,6 +13,7 @@ struct View {
   const Estimate* estimate = nullptr;
   double now = 0.0;
   bool vague = false;         ///< Only coarse instructions.
+  bool unproven = false;      ///< They are in the room where the tracker found them by itself: another may look the same.
   bool walking = false;
   double speed = 0.0;
   double pace = 0.0;          ///< At which they may walk on by themselves, metres a second: a wearer feels for a thing and goes on.

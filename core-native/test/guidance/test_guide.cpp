@@ -1002,6 +1002,66 @@ TEST_F(GuideTest, DoubtsAPlaceThatNobodyToldWhereTheWearerGetsNowhere) {
   EXPECT_FALSE(guide.take_doubt()) << "once is enough";
 }
 
+/// Nobody told where they start; the tracker finds them at `position` by their slow turn, and they face along the x axis.
+void find_by_a_turn(Listener& wearer, RoomIndex room, Vec2 position) {
+  (void)wearer.stay(4.0, lost(0));
+  (void)wearer.turn_about(9.0, room, position);
+  (void)wearer.stand(0.5, room, position, 0.0);
+}
+
+TEST_F(GuideTest, WhoIsFoundAtTheirDestinationIsToldSoOnceThePlaceHasStoodADoubt) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  (void)wearer.stay(4.0, lost(0));
+  EXPECT_THAT(kinds(wearer.turn_about(5.0, 1, {3.5, 4.0})), Not(Contains(CueKind::arrived))) << "it may be a room like this one";
+  EXPECT_TRUE(guide.take_doubt());
+  EXPECT_THAT(kinds(wearer.stand(8.0, 1, {3.5, 4.0}, 0.0)), Contains(CueKind::arrived));
+  EXPECT_FALSE(guide.take_doubt()) << "once is enough";
+}
+
+TEST_F(GuideTest, WhoIsFoundElsewhereByTheDoubtIsLedOn) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  find_by_a_turn(wearer, 1, {3.5, 4.0});
+  ASSERT_TRUE(guide.take_doubt());
+  const auto cues = kinds(wearer.turn_about(12.0, 3, {3.5, 4.0}));
+  EXPECT_THAT(cues, Not(Contains(CueKind::arrived)));
+}
+
+TEST_F(GuideTest, WhoHasLeftTheRoomWhereTheyWereFoundIsToldThatTheyAreThereWithoutADoubt) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  find_by_a_turn(wearer, 0, {3.0, 2.5});
+  Estimate walking = at(0, 0, {3.0, 2.5}, 0.0);
+  walking.speed_mps = 0.8;
+  std::vector<CueKind> told;
+  const auto step = [&] {
+    walking.pose.position = walking.pose.position + 0.8 * kSlot * unit_from_angle(walking.pose.heading);
+    for (const Cue& cue : wearer.stay(kSlot, walking)) told.push_back(cue.kind);
+  };
+  while (walking.pose.position.x < 5.0) step();
+  walking.room = 1;
+  walking.pose.position.x = 0.0;
+  while (walking.pose.position.x < 3.5) step();
+  walking.pose.heading = degrees(90.0);
+  while (walking.pose.position.y < 3.6) step();
+  for (const Cue& cue : wearer.stand(3.0, 1, walking.pose.position, 90.0)) told.push_back(cue.kind);
+  EXPECT_THAT(told, Contains(CueKind::arrived));
+  EXPECT_FALSE(guide.take_doubt());
+}
+
+TEST_F(GuideTest, DoubtsAPlaceThatNobodyToldWhereAWallIsMetInsteadOfTheDoor) {
+  ASSERT_TRUE(guide.set_destination({Goal::Kind::spot, 0, {1, {3, 2.5}}}));
+  find_by_a_turn(wearer, 0, {4.0, 2.5});
+  ASSERT_THAT(kinds(wearer.stand(8.0, 0, {4.0, 2.5}, 8.0)), Contains(CueKind::go_straight));
+  Estimate walking = at(0, 0, {4.0, 2.5}, 8.0);
+  walking.speed_mps = 0.6;
+  for (const double end = wearer.now + 1.1; wearer.now < end;) {
+    walking.pose.position = walking.pose.position + 0.6 * kSlot * unit_from_angle(walking.pose.heading);
+    (void)wearer.stay(kSlot, walking);
+  }
+  EXPECT_FALSE(guide.take_doubt());
+  (void)wearer.stand(6.0, 0, walking.pose.position, 8.0);
+  EXPECT_TRUE(guide.take_doubt());
+}
+
 TEST_F(GuideTest, DoesNotDoubtAPlaceThatTheWearerTold) {
   ASSERT_TRUE(guide.set_destination("Lectern"));
   (void)wearer.stand(150.0, 0, {1, 2.5}, 0.0);
