@@ -116,16 +116,6 @@ Record BayesLocator::Core::take_down(const Firing& firing, double seconds) {
   return record;
 }
 
-// A belt that was taken for one of weak sensors shows what it is by hearing from afar. A search under way weighs all places
-// alike.
-void BayesLocator::Core::choose_model(const Record& record) {
-  const bool from_afar = record.echo && record.range > kHardOfHearingRange;
-  const bool stays = model_ == &deafened_ ? !(from_afar && hears_far()) : search_.running();
-  if (stays) return;
-  const bool known = !main_.empty() && unconfirmed_ == 0;
-  model_ = known ? &wary_ : &keen_;
-}
-
 Shot BayesLocator::Core::aim(const Record& record) const {
   return shot_of(record, belt_, bearings_[static_cast<std::size_t>(record.sensor)]);
 }

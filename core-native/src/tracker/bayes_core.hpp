@@ -110,6 +110,8 @@ class BayesLocator::Core {
   [[nodiscard]] std::uint64_t search_pause() const;
   [[nodiscard]] double handicap() const;
   [[nodiscard]] bool hears_far() const;
+  [[nodiscard]] int echoes_beyond(double range) const;
+  [[nodiscard]] bool seems_hard_of_hearing(RoomIndex only_room) const;
   [[nodiscard]] tracker::SearchTools tools() const;
 
   const Building& building_;
@@ -121,7 +123,9 @@ class BayesLocator::Core {
   tracker::EchoModel deafened_;                ///< Of a belt that hears only what is near.
   const tracker::EchoModel* model_ = &keen_;   ///< Whichever serves at the moment.
   enum class HearingTest { due, running, done } hearing_test_ = HearingTest::due;
-  double log_evidence_keen_ = 0.0;
+  const tracker::EchoModel* other_model_ = &deafened_;   ///< With which the first search is made again.
+  double log_first_ = 0.0;                     ///< Log odds of what it found with the model that it began with,
+  std::uint64_t first_until_ = 0;              ///< by the firings before this one.
   enum class Doubt { none, due, running } doubt_ = Doubt::none;   ///< Raised by who leads the wearer.
   std::optional<LevelTransition> doubted_link_;                   ///< The wearer finds none where they were told to take it.
   mutable scene::Scene scene_;

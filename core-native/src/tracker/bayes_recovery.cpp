@@ -40,13 +40,10 @@ constexpr double kLogHopeless = -3.0;
 constexpr double kLogFoundNear = -3.0;
 constexpr double kLogFoundFar = -1.0;
 
-constexpr double kLogHardOfHearing = -3.0;           // That a belt hears nothing from afar.
-constexpr int kFarEchoes = 2;                        // One may be a ghost.
-
 }  // namespace
 
 SearchTools BayesLocator::Core::tools() const {
-  const EchoModel& model = hearing_test_ == HearingTest::running ? deafened_ : *model_;
+  const EchoModel& model = hearing_test_ == HearingTest::running ? *other_model_ : *model_;
   return {model,     scene_, motion_, belt_, history_, building_, log_scale_, std::max(log_scale_sigma_, kLeastScaleSigma),
           main_.empty() ? 0.0 : summary_.gyro_bias, pace_};
 }
@@ -145,36 +142,6 @@ std::optional<double> BayesLocator::Core::compass_at(std::uint64_t firing) const
     turned += interval.turn;
   }
   return wrap_angle(*compass_ + (firing > compass_said_ ? turned : -turned));
-}
-
-// The first search is made for a belt that hears well. If nothing at all was heard from afar, it is made again for one
-// that does not, and whichever explains the firings better is believed.
-void BayesLocator::Core::conclude_first_search() {
-  if (hearing_test_ == HearingTest::due) {
-    search_.take(main_, random_);
-    fit_.reset();
-    log_evidence_keen_ = search_.log_evidence();
-    unconfirmed_ = kConfirmed;
-    hearing_test_ = hears_far() ? HearingTest::done : HearingTest::running;
-    if (hearing_test_ == HearingTest::running) search_.start(search_.domain(), search_.window_begin(), history_.end());
-    return;
-  }
-  hearing_test_ = HearingTest::done;
-  if (search_.log_evidence() + kLogHardOfHearing < log_evidence_keen_) {
-    search_.stop();
-    return;
-  }
-  model_ = &deafened_;
-  search_.take(main_, random_);
-  fit_.reset();
-}
-
-bool BayesLocator::Core::hears_far() const {
-  int far = 0;
-  for (std::uint64_t n = history_.begin(); n < history_.end(); ++n) {
-    far += history_[n].echo && history_[n].range > kHardOfHearingRange;
-  }
-  return far >= kFarEchoes;
 }
 
 // What the search found may become a rival of the belief.

@@ -149,6 +149,7 @@ void BayesLocator::Core::start_first_search() {
     domain.level_heading = compass_;
   }
   domain.heading_sigma = kStartHeadingSigma;
+  model_ = seems_hard_of_hearing(domain.only_room) ? &deafened_ : &keen_;
   search_.start(domain, now - pass, now);
 }
 
