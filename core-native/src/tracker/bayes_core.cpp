@@ -92,7 +92,7 @@ bool BayesLocator::Core::tell_time(double time_s, double& seconds) {
   if (seconds < 0.0) {
     if (++backwards_ < 2 * belt_.sensors) return false;
     seconds = belt_.slot_s;
-    hints_.reset_clock();
+    hints_.set_clock_back(time_s);
   }
   backwards_ = 0;
   clock_set_ = true;

@@ -66,6 +66,14 @@ void HintIntegrator::on_yaw_rate(double time_s, double rate) noexcept {
   clock_ = std::max(clock_, time_s);
 }
 
+// What waits for a later moment was reported before the clock was set back: it would be taken for the time that comes.
+void HintIntegrator::set_clock_back(double time_s) noexcept {
+  const auto waiting = waiting_.begin() + static_cast<std::ptrdiff_t>(waiting_count_);
+  const auto kept = std::remove_if(waiting_.begin(), waiting, [time_s](const MotionHint& hint) { return hint.time_s > time_s; });
+  waiting_count_ = static_cast<std::size_t>(kept - waiting_.begin());
+  reset_clock();
+}
+
 void HintIntegrator::reset_clock() noexcept {
   clock_set_ = false;
   turn_ = held_ = 0.0;

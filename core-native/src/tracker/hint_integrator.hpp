@@ -44,9 +44,11 @@ class HintIntegrator {
   [[nodiscard]] bool in_step(double time_s) const noexcept;
   /// What the gyroscope read during a second of standing that has just ended, once.
   [[nodiscard]] std::optional<double> take_still_rate() noexcept { return still_.take(); }
-  void reset_clock() noexcept;
+  /// It is `time_s`, earlier than what was told before.
+  void set_clock_back(double time_s) noexcept;
 
  private:
+  void reset_clock() noexcept;
   void note_step_interval(double seconds) noexcept;
   /// Between 0 and 1, by the gyroscope; 0 without one.
   [[nodiscard]] double turning_on_the_spot(double time_s) const noexcept;

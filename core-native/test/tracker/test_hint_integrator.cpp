@@ -151,6 +151,18 @@ TEST(HintIntegrator, OneThatIsStampedFarAheadDoesNotHoldUpTheOthers) {
   EXPECT_NEAR(to_degrees(hints.close(1.0, 1.0).turn), 10.0, 1e-9);
 }
 
+TEST(HintIntegrator, WhatWaitsWhenTheClockIsSetBackIsNotTakenForTheTimeThatComes) {
+  HintIntegrator hints;
+  for (int i = 0; i <= 50; ++i) hints.on_hint({9.0 + 0.02 * i, MotionKind::yaw_rate, 0.0});
+  (void)hints.close(10.0, 1.0);
+  for (int i = 1; i <= 20; ++i) hints.on_hint({10.0 + 0.02 * i, MotionKind::yaw_rate, degrees(90.0)});
+  hints.set_clock_back(8.0);
+  for (int i = 0; i <= 150; ++i) hints.on_hint({8.0 + 0.02 * i, MotionKind::yaw_rate, degrees(10.0)});
+  double turn = 0.0;
+  for (double t = 8.0; t <= 11.0; t += 1.0) turn += hints.close(t, 1.0).turn;
+  EXPECT_NEAR(to_degrees(turn), 30.0, 0.5);
+}
+
 TEST(HintIntegrator, WhileNoBeltIsHeardTurnsAreCountedAllTheSame) {
   HintIntegrator hints;
   for (int i = 0; i <= 1000; ++i) hints.on_hint({0.02 * i, MotionKind::yaw_rate, degrees(5.0)});
