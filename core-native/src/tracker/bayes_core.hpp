@@ -25,7 +25,8 @@
 namespace echoway {
 
 /// The tracker's parts and how they play together. Starting is in bayes_start.cpp, a firing's way in bayes_core.cpp, what is
-/// learnt of the wearer's movement in bayes_motion.cpp, searching and recovering in bayes_recovery.cpp.
+/// learnt of the wearer's movement in bayes_motion.cpp, how far the belt hears in bayes_hearing.cpp, searching and recovering in
+/// bayes_recovery.cpp, doubting a place in bayes_doubt.cpp.
 class BayesLocator::Core {
  public:
   Core(const Building& building, const BeltConfig& belt, const Start& start, const BayesOptions& options);
@@ -59,7 +60,6 @@ class BayesLocator::Core {
   // A firing.
   [[nodiscard]] bool tell_time(double time_s, double& seconds);
   [[nodiscard]] tracker::Record take_down(const Firing& firing, double seconds);
-  void choose_model(const tracker::Record& record);
   [[nodiscard]] tracker::Shot aim(const tracker::Record& record) const;
   /// What a population made of a reading.
   struct Verdict {
@@ -87,6 +87,14 @@ class BayesLocator::Core {
   void learn_pace(double time_s);
   void stand_still(double rate);
 
+  // How far the belt hears.
+  void choose_model(const tracker::Record& record);
+  [[nodiscard]] int echoes_beyond(double range) const;
+  [[nodiscard]] bool hears_far() const;
+  [[nodiscard]] bool seems_hard_of_hearing(RoomIndex only_room) const;
+  void conclude_first_search();
+  void conclude_hearing_test();
+
   // Searching and recovering.
   void pursue_search();
   void start_first_search();
@@ -97,7 +105,7 @@ class BayesLocator::Core {
   [[nodiscard]] Pose2 likely_pose() const;
   [[nodiscard]] double turned_back(double heading, std::uint64_t firing) const;
   [[nodiscard]] std::optional<double> compass_at(std::uint64_t firing) const;
-  void conclude_first_search();
+  [[nodiscard]] double log_belief(std::uint64_t begin, std::uint64_t first, double log = 0.0) const;
   void challenge();
   void start_doubting();
   void land_all();
@@ -109,9 +117,6 @@ class BayesLocator::Core {
   void believe(tracker::Rival& rival);
   [[nodiscard]] std::uint64_t search_pause() const;
   [[nodiscard]] double handicap() const;
-  [[nodiscard]] bool hears_far() const;
-  [[nodiscard]] int echoes_beyond(double range) const;
-  [[nodiscard]] bool seems_hard_of_hearing(RoomIndex only_room) const;
   [[nodiscard]] tracker::SearchTools tools() const;
 
   const Building& building_;
@@ -124,7 +129,7 @@ class BayesLocator::Core {
   const tracker::EchoModel* model_ = &keen_;   ///< Whichever serves at the moment.
   enum class HearingTest { due, running, done } hearing_test_ = HearingTest::due;
   const tracker::EchoModel* other_model_ = &deafened_;   ///< With which the first search is made again.
-  double log_first_ = 0.0;                     ///< Log odds of what it found with the model that it began with,
+  double log_first_ = 0.0;                     ///< Log evidence, with the prior odds, of what the first model found
   std::uint64_t first_until_ = 0;              ///< by the firings before this one.
   enum class Doubt { none, due, running } doubt_ = Doubt::none;   ///< Raised by who leads the wearer.
   std::optional<LevelTransition> doubted_link_;                   ///< The wearer finds none where they were told to take it.

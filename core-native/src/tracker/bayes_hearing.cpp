@@ -12,7 +12,7 @@ namespace {
 constexpr double kLogHardOfHearing = -3.0;   // That a belt hears nothing from afar.
 constexpr int kFarEchoes = 2;                // One may be a ghost.
 constexpr double kNearRange = 1.5;           // Metres: a belt that hears something from beyond does not hear only what is near.
-constexpr double kSmall = 40.0;              // Square metres that a search looks through within a second.
+constexpr double kSmallArea = 40.0;          // Square metres that a search looks through within a second.
 
 }  // namespace
 
@@ -24,8 +24,8 @@ int BayesLocator::Core::echoes_beyond(double range) const {
 
 bool BayesLocator::Core::hears_far() const { return echoes_beyond(kHardOfHearingRange) >= kFarEchoes; }
 
-// Whether the first search begins with a belt of weak sensors. Where there is much to look through that would keep the wearer
-// of a good one, of whom there are more, waiting for their place.
+// Whether the first search is made for a belt of weak sensors first. In a large place that would keep those with a good belt,
+// who are more, waiting.
 bool BayesLocator::Core::seems_hard_of_hearing(RoomIndex only_room) const {
   double area = 0.0;
   for (std::size_t i = 0; i < scene_.room_count(); ++i) {
@@ -33,7 +33,7 @@ bool BayesLocator::Core::seems_hard_of_hearing(RoomIndex only_room) const {
     const Vec2 size = scene_.room(r).high - scene_.room(r).low;
     if (only_room == kNoRoom || only_room == r) area += size.x * size.y;
   }
-  return area < kSmall && echoes_beyond(kNearRange) == 0;
+  return area < kSmallArea && echoes_beyond(kNearRange) == 0;
 }
 
 // A belt that was taken for one of weak sensors shows what it is by hearing from afar; a first search made for such a belt
@@ -48,27 +48,24 @@ void BayesLocator::Core::choose_model(const Record& record) {
 }
 
 // If nothing at all was heard from afar, the first search is made again for a belt that hears better, or worse, than was
-// taken for granted; whichever explains the firings better is believed. The first has meanwhile been followed, so that both
-// answer for the same firings.
+// taken for granted. What the first one found is followed meanwhile.
 void BayesLocator::Core::conclude_first_search() {
-  const std::uint64_t now = history_.end();
-  const std::uint64_t first = search_.window_begin();
-  if (hearing_test_ == HearingTest::due) {
-    const bool deafened = model_ == &deafened_;
-    search_.take(main_, random_);
-    fit_.reset();
-    unconfirmed_ = kConfirmed;
-    hearing_test_ = hears_far() ? HearingTest::done : HearingTest::running;
-    if (hearing_test_ == HearingTest::done) return;
-    other_model_ = deafened ? &keen_ : &deafened_;
-    log_first_ = search_.log_evidence() + (deafened ? kLogHardOfHearing : -kLogHardOfHearing);
-    first_until_ = now;
-    search_.start(search_.domain(), first, now);
-    return;
-  }
+  const bool deafened = model_ == &deafened_;
+  search_.take(main_, random_);
+  fit_.reset();
+  unconfirmed_ = kConfirmed;
+  hearing_test_ = hears_far() ? HearingTest::done : HearingTest::running;
+  if (hearing_test_ == HearingTest::done) return;
+  other_model_ = deafened ? &keen_ : &deafened_;
+  log_first_ = search_.log_evidence() + (deafened ? kLogHardOfHearing : -kLogHardOfHearing);
+  first_until_ = history_.end();
+  search_.start(search_.domain(), search_.window_begin(), first_until_);
+}
+
+// Whichever of the two explains the firings better is believed: those too that came while the second was looked for.
+void BayesLocator::Core::conclude_hearing_test() {
   hearing_test_ = HearingTest::done;
-  for (std::uint64_t n = first_until_; n < now; ++n) log_first_ += share_of(n, first, belt_) * history_[n].log_main;
-  if (search_.log_evidence() < log_first_) {
+  if (search_.log_evidence() < log_belief(first_until_, search_.window_begin(), log_first_)) {
     search_.stop();
     return;
   }

@@ -59,8 +59,10 @@ void BayesLocator::Core::pursue_search() {
     }
   }
   if (!search_.running() || !search_.work(tools(), random_)) return;
-  if (hearing_test_ != HearingTest::done) {
+  if (hearing_test_ == HearingTest::due) {
     conclude_first_search();
+  } else if (hearing_test_ == HearingTest::running) {
+    conclude_hearing_test();
   } else if (doubt_ == Doubt::running) {
     conclude_doubt();
   } else {
@@ -144,15 +146,18 @@ std::optional<double> BayesLocator::Core::compass_at(std::uint64_t firing) const
   return wrap_angle(*compass_ + (firing > compass_said_ ? turned : -turned));
 }
 
+// Added to `log`: what the belief made of the firings since `begin`, each counted as a search from `first` on counts it.
+double BayesLocator::Core::log_belief(std::uint64_t begin, std::uint64_t first, double log) const {
+  for (std::uint64_t n = begin; n < history_.end(); ++n) log += share_of(n, first, belt_) * history_[n].log_main;
+  return log;
+}
+
 // What the search found may become a rival of the belief.
 void BayesLocator::Core::challenge() {
-  const std::uint64_t now = history_.end();
   const std::uint64_t first = search_.window_begin();
-  double log_main = 0.0;
-  for (std::uint64_t n = first; n < now; ++n) log_main += share_of(n, first, belt_) * history_[n].log_main;
-  const double odds = search_.log_evidence() - log_main + (search_.is_local() ? kLogFoundNear : kLogFoundFar);
+  const double odds = search_.log_evidence() - log_belief(first, first) + (search_.is_local() ? kLogFoundNear : kLogFoundFar);
   const double log_odds = std::min(odds, handicap());
-  last_search_ = now;
+  last_search_ = history_.end();
   ++searches_;
   ++fruitless_;
   if (odds < kLogHopeless) {

@@ -66,7 +66,7 @@ void HintIntegrator::on_yaw_rate(double time_s, double rate) noexcept {
   clock_ = std::max(clock_, time_s);
 }
 
-// What waits for a later moment was reported before the clock was set back: it would be taken for the time that comes.
+// What still waits for a later time was stamped before the clock was set back: it would be counted when that time comes again.
 void HintIntegrator::set_clock_back(double time_s) noexcept {
   const auto waiting = waiting_.begin() + static_cast<std::ptrdiff_t>(waiting_count_);
   const auto kept = std::remove_if(waiting_.begin(), waiting, [time_s](const MotionHint& hint) { return hint.time_s > time_s; });

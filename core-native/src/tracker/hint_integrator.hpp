@@ -44,7 +44,7 @@ class HintIntegrator {
   [[nodiscard]] bool in_step(double time_s) const noexcept;
   /// What the gyroscope read during a second of standing that has just ended, once.
   [[nodiscard]] std::optional<double> take_still_rate() noexcept { return still_.take(); }
-  /// It is `time_s`, earlier than what was told before.
+  /// It is `time_s` now, earlier than the times before: the clock was set back.
   void set_clock_back(double time_s) noexcept;
 
  private:
