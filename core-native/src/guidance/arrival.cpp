@@ -90,7 +90,7 @@ bool Arrival::comes_to_a_stand(const View& view, bool holding) const noexcept {
   return view.now - view.still_since < kSettles;
 }
 
-/// The tracker is given the time to look for other places that are as likely.
+/// Whether a doubt of the place, raised at the first call, is over: the tracker needs time to look for places as likely.
 bool Arrival::has_stood_doubt(double now) noexcept {
   constexpr double kLooks = 5.0;  // s
   if (doubted_at_ < 0.0) {
@@ -109,7 +109,7 @@ Arrival::Now Arrival::tell(const View& view, bool holding, Announcer& voice) {
   if (!is_place_known(view)) return !view.walking && is_place_sharp(view) ? Now::there : Now::elsewhere;
   if (comes_to_a_stand(view, holding)) return Now::there;
   if (walks_past(view)) return Now::walks_past;
-  // Nobody asks any further once they are told, and another room may look the same.
+  // Who is told asks no further, and may be in another room that looks the same.
   if (view.unproven && view.walking) return Now::walks_past;
   if (view.unproven && !has_stood_doubt(view.now)) return Now::there;
   if (voice.offer(cue_for(view.estimate->pose), view.now)) told_at_ = view.now;

@@ -36,11 +36,11 @@ class Arrival {
   enum class Now : std::uint8_t {
     elsewhere,
     there,        ///< There is nothing else to say.
-    walks_past,   ///< They are to stop first: where they are then is soon known better.
+    walks_past,   ///< They are to stop first: where they are is soon known better then.
   };
   /// Tells it to who is there, or will be when it is said. `holding`: the last instruction is still being carried out.
   [[nodiscard]] Now tell(const View& view, bool holding, Announcer& voice);
-  /// True once when the place is worth a doubt before it is told.
+  /// True once each time they are there by a place that is to be doubted before they are told so.
   [[nodiscard]] bool take_doubt() noexcept { return std::exchange(doubt_, false); }
 
  private:
@@ -61,8 +61,8 @@ class Arrival {
   double room_since_ = -1e300; ///< since then.
   double pace_ = 0.0;          ///< At which they walked last, m/s.
   double told_at_ = -1.0;      ///< Negative before.
-  double doubted_at_ = -1.0;   ///< The place was doubted then; negative: not yet.
-  bool doubt_ = false;         ///< It is to be.
+  double doubted_at_ = -1.0;   ///< When the place was doubted; negative: not yet.
+  bool doubt_ = false;         ///< Raised then, until it is taken.
   double there_since_ = kNotThere;  ///< They have been at the destination since then.
 };
 

@@ -53,7 +53,7 @@ class Certainty {
   double turned_ = 0.0;          ///< and radians, left is positive.
   double proof_ = 0.0;           ///< Radians turned to either side since the place was lost or has jumped.
   Level level_ = Level::lost;
-  RoomIndex found_in_ = kNoRoom; ///< Where the place was believed last after nobody knew it.
+  RoomIndex found_in_ = kNoRoom; ///< Where the wearer was found last, after nobody knew the place.
   bool was_sure_ = false;
   bool told_ = false;
   bool fits_now_ = false;

@@ -168,8 +168,8 @@ void Follower::lead_on(const View& view, bool turning, Announcer& voice) {
 }
 
 bool Follower::take_doubt() noexcept {
-  const bool there = arrival_.take_doubt();
-  return headway_.take_doubt() || there;
+  const bool at_arrival = arrival_.take_doubt();
+  return headway_.take_doubt() || at_arrival;   // Both are taken: one search answers them.
 }
 
 std::optional<double> Follower::direction_from(const Estimate& e) {

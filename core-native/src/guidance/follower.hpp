@@ -71,8 +71,8 @@ class Follower {
   /// Echoes need not fit until then: stairs or an elevator were taken.
   [[nodiscard]] double suspended_until() const noexcept { return levels_.suspended_until(); }
   [[nodiscard]] std::optional<LevelTransition> take_transition() noexcept { return levels_.take_transition(); }
-  /// True once each time the wearer gets nowhere though the plan has a way, or is about to be told that they are there and
-  /// may be elsewhere.
+  /// True once each time the place is worth a doubt: the wearer gets nowhere though the plan has a way, meets a wall instead of
+  /// the door, or is about to be told that they are there in the room where the tracker found them.
   [[nodiscard]] bool take_doubt() noexcept;
 
  private:

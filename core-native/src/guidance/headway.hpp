@@ -10,11 +10,11 @@ class Headway {
  public:
   /// `cost`: of the way that is left. `instructed_s`: when an instruction was told last.
   void update(double now, double cost, double instructed_s) noexcept;
-  /// What they have met speaks against the place.
+  /// What they have met speaks against the place: it is worth a doubt now.
   void doubt() noexcept;
   /// The wearer is bound for something else, or has started over.
   void forget() noexcept { *this = {}; }
-  /// True once when there has been none for long, or something spoke against the place: it is worth a doubt.
+  /// True once each time there has been none for long, or doubt() was called.
   [[nodiscard]] bool take_doubt() noexcept { return std::exchange(doubt_, false); }
 
  private:

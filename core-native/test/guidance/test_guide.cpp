@@ -1022,8 +1022,10 @@ TEST_F(GuideTest, WhoIsFoundElsewhereByTheDoubtIsLedOn) {
   ASSERT_TRUE(guide.set_destination("Lectern"));
   find_by_a_turn(wearer, 1, {3.5, 4.0});
   ASSERT_TRUE(guide.take_doubt());
-  const auto cues = kinds(wearer.turn_about(12.0, 3, {3.5, 4.0}));
+  auto cues = kinds(wearer.turn_about(12.0, 3, {3.5, 4.0}));
+  for (const CueKind kind : kinds(wearer.stand(8.0, 3, {3.5, 4.0}, 0.0))) cues.push_back(kind);
   EXPECT_THAT(cues, Not(Contains(CueKind::arrived)));
+  EXPECT_THAT(cues, Contains(CueKind::turn));
 }
 
 TEST_F(GuideTest, WhoHasLeftTheRoomWhereTheyWereFoundIsToldThatTheyAreThereWithoutADoubt) {
