@@ -1,8 +1,9 @@
 #include "echoway/sim/walk_file.hpp"
 
-#include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "echoway/text/line_reader.hpp"
@@ -26,8 +27,9 @@ class Parser {
     Words words(text, walk_.file, number);
     if (words.empty()) return success();
     const std::string keyword = words.keyword();
-    const bool whole = std::find(kAboutTheWhole.begin(), kAboutTheWhole.end(), keyword) != kAboutTheWhole.end();
-    if (Status status = whole ? header(keyword, words) : action(keyword, words); !status.ok()) return status;
+    const Reader header = header_of(keyword);
+    if (header != nullptr && started()) return words.error("`" + keyword + "` is about the whole walk; put it before `start`");
+    if (Status status = header != nullptr ? (this->*header)(words) : action(keyword, words); !status.ok()) return status;
     return words.finish();
   }
 
@@ -41,17 +43,21 @@ class Parser {
  private:
   [[nodiscard]] bool started() const { return !walk_.start.room.empty(); }
 
-  static constexpr std::array<std::string_view, 6> kAboutTheWhole{"building", "seed", "units", "profile", "world", "belt"};
+  using Reader = Status (Parser::*)(Words&);
 
-  // One of kAboutTheWhole. Later in the file it would be taken for something that happens from there on.
-  Status header(const std::string& keyword, Words& words) {
-    if (started()) return words.error("`" + keyword + "` is about the whole walk; put it before `start`");
-    if (keyword == "building") return words.text("a folder", walk_.building);
-    if (keyword == "seed") return words.seed(walk_.seed);
-    if (keyword == "units") return units(words);
-    if (keyword == "profile") return profile(words);
-    if (keyword == "world") return world(words);
-    return belt(words);
+  // Reads what is said about the whole walk; null for any other keyword. Later in the file such a line would be taken for
+  // something that happens from there on.
+  static Reader header_of(std::string_view keyword) {
+    static constexpr std::array<std::pair<std::string_view, Reader>, 6> kHeaders{{{"building", &Parser::building},
+                                                                                  {"seed", &Parser::seed},
+                                                                                  {"units", &Parser::units},
+                                                                                  {"profile", &Parser::profile},
+                                                                                  {"world", &Parser::world},
+                                                                                  {"belt", &Parser::belt}}};
+    for (const auto& [name, reader] : kHeaders) {
+      if (name == keyword) return reader;
+    }
+    return nullptr;
   }
 
   Status action(const std::string& keyword, Words& words) {
@@ -74,6 +80,10 @@ class Parser {
     if (keyword == "lights") return lights(words);
     return words.error("`" + keyword + "` is no keyword of a walk file");
   }
+
+  Status building(Words& words) { return words.text("a folder", walk_.building); }
+
+  Status seed(Words& words) { return words.seed(walk_.seed); }
 
   Status units(Words& words) {
     std::string unit;
