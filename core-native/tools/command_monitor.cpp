@@ -29,7 +29,7 @@ using Clock = std::chrono::steady_clock;
 
 // Often enough to notice a silent belt within two seconds.
 constexpr int kTickMs = 250;
-// What Linux keeps of a line that is not read: all of it in one go tells how much came at once.
+// As much as Linux keeps of a line that is not read: what waited is read in one go, and tells how fast it came.
 constexpr std::size_t kLineHolds = 4096;
 // A belt that was pulled out is waited for this long before the command ends.
 constexpr std::chrono::seconds kReturnWait{5};
@@ -85,6 +85,7 @@ class Monitor {
     }
   }
 
+  /// Sentence by sentence, for each may have arrived at another time.
   void take(std::span<const std::uint8_t> bytes) {
     time_.on_read(static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), '$')), host_time());
     while (!bytes.empty()) {
