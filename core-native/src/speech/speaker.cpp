@@ -51,7 +51,7 @@ int hour(double direction) {
   return wrapped == 0 ? 12 : wrapped;
 }
 
-/// Puts the parts of one cue into words; unless `named`, with one word for every name of the building's.
+/// Puts the parts of one cue into words; unless `named`, with one word in the place of each name of the building's.
 class Line {
  public:
   Line(const Building& building, const SpeechStyle& style, const Cue& cue, bool named)
@@ -203,7 +203,7 @@ class Line {
   const bool named_;
 };
 
-// So many words, and no more, in a sentence; the building's names may be as long as they are.
+// Words in a sentence; a name of the building's counts as one, however long it is.
 constexpr int kMostWords = 8;
 
 int words_of_longest_sentence(std::string_view line) {
@@ -218,7 +218,7 @@ int words_of_longest_sentence(std::string_view line) {
   return longest;
 }
 
-/// What would be too long tells the direction by its side, and leaves the distance out where it still is.
+/// Where the line would be too long it tells the direction by its side; where it still is, it leaves the distance out.
 std::string say_briefly(const Building& building, SpeechStyle style, const Cue& cue, CueTail fact) {
   const auto say = [&](bool named) { return Line(building, style, cue, named).say(fact.kind, fact.direction, fact.distance_m); };
   const auto is_too_long = [&] { return words_of_longest_sentence(say(false)) > kMostWords; };
