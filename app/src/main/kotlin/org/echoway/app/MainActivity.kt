@@ -68,7 +68,7 @@ class MainActivity : ComponentActivity() {
 
     /**
      * Chords of the volume keys ask where they are chosen; a single key stays the volume's. In firefighter mode guidance's media
-     * session asks at every key that it is handed: it gets none from here, or two keys together would be two questions.
+     * session asks at every key that it is handed: it gets none from here, or a chord would ask as its first key does, too.
      */
     override fun dispatchKeyEvent(event: KeyEvent): Boolean {
         chords.loneKeysAsk = firefighter && container.navigator.state.value is NavigationState.Running

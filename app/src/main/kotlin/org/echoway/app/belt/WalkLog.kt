@@ -77,7 +77,7 @@ data class WalkLog(
         }
 
         private fun hint(timeS: Double, kind: String, value: Double) = when (kind) {
-            "step" -> MotionHint(timeS, MotionKind.STEP, value).also { if (value != 1.0) throw NumberFormatException("a step of $value") }
+            "step" -> if (value == 1.0) MotionHint(timeS, MotionKind.STEP, value) else throw NumberFormatException("a step of $value, not 1")
             "yaw_rate_dps" -> MotionHint(timeS, MotionKind.YAW_RATE, Math.toRadians(value))
             "heading_deg" -> MotionHint(timeS, MotionKind.HEADING, Math.toRadians(value))
             else -> throw NumberFormatException("unknown kind $kind")

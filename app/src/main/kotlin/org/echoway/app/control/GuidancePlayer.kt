@@ -65,7 +65,7 @@ internal class GuidancePlayer(private val title: String, private val asking: Ask
         return Futures.immediateVoidFuture()
     }
 
-    /** A key that is held, in a glove, repeats itself. Both together come one after the other: the second is no question more. */
+    /** A key that is held, in a glove, repeats itself. Both pressed together come one after the other: the second asks nothing more. */
     private fun onKey(key: VolumeKey): ListenableFuture<*> {
         val now = clock.nowS()
         val asksNoMore = now - pressedS < if (key == lastKey) HELD_S else TOGETHER_S

@@ -11,7 +11,10 @@ interface AudioFocus {
     fun abandon()
 }
 
-/** What [sound] makes of it while the audio is had; [Outcome.REFUSED] when it is not to be had. Given back whatever happens. */
+/**
+ * Plays [sound] with the focus held, and gives it back however that ends; [Outcome.REFUSED] when it is not to be had. [onLoss]
+ * is called when it is taken away meanwhile, and is to end [sound].
+ */
 suspend fun AudioFocus.during(onLoss: () -> Unit, sound: suspend () -> Outcome): Outcome {
     if (!request(onLoss)) return Outcome.REFUSED
     try {

@@ -40,7 +40,7 @@ class PhoneTones(private val focus: AudioFocus) : Tones {
         return focus.during(onLoss = { lost.complete(Outcome.CUT_OFF) }) { sound(sign.beeps, lost) }
     }
 
-    /** To the end, or until what [lost] completes with. */
+    /** Plays [beeps] to the end, or until [lost] tells how it ends. */
     private suspend fun sound(beeps: List<Beep>, lost: Deferred<Outcome>): Outcome = try {
         beeps.firstNotNullOfOrNull { beep ->
             generator?.startTone(beep.pitch, beep.soundMs.toInt())
