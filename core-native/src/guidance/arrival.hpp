@@ -50,7 +50,8 @@ class Arrival {
   [[nodiscard]] bool is_there(const View& view, bool holding) const;
   [[nodiscard]] bool walks_past(const View& view) const;
   [[nodiscard]] bool comes_to_a_stand(const View& view, bool holding) const noexcept;
-  [[nodiscard]] bool has_stood_doubt(double now) noexcept;
+  void raise_doubt(double now) noexcept;
+  [[nodiscard]] bool has_stood_doubt(double now) const noexcept;
   [[nodiscard]] Cue cue_for(const Pose2& pose) const;
 
   const Router* router_;

@@ -50,6 +50,9 @@ struct RoomScene {
   double cell_size = 0.0;
   double cells_per_metre = 0.0;
   Vec2 grid_origin{};
+
+  /// Of the bounding box, square metres.
+  [[nodiscard]] double box_area() const noexcept { return (high.x - low.x) * (high.y - low.y); }
 };
 
 /// Compiles the rooms of a building one by one, so that no more than one of them is held whole. Sound is followed through at

@@ -27,12 +27,7 @@ bool BayesLocator::Core::hears_far() const { return echoes_beyond(kHardOfHearing
 // Whether the first search is made for a belt of weak sensors first. In a large place that would keep those with a good belt,
 // who are more, waiting.
 bool BayesLocator::Core::seems_hard_of_hearing(RoomIndex only_room) const {
-  double area = 0.0;
-  for (std::size_t i = 0; i < scene_.room_count(); ++i) {
-    const auto r = static_cast<RoomIndex>(i);
-    const Vec2 size = scene_.room(r).high - scene_.room(r).low;
-    if (only_room == kNoRoom || only_room == r) area += size.x * size.y;
-  }
+  const double area = only_room == kNoRoom ? search_.area() : scene_.room(only_room).box_area();
   return area < kSmallArea && echoes_beyond(kNearRange) == 0;
 }
 

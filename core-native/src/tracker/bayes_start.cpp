@@ -109,8 +109,7 @@ void BayesLocator::Core::describe_ignorance() {
   double total = 0.0, largest = 0.0;
   RoomIndex room = kNoRoom;
   for (std::size_t i = 0; i < building_.rooms.size(); ++i) {
-    const auto& r = scene_.room(static_cast<RoomIndex>(i));
-    const double area = (r.high.x - r.low.x) * (r.high.y - r.low.y);
+    const double area = scene_.room(static_cast<RoomIndex>(i)).box_area();
     total += area;
     if (area > largest) {
       largest = area;

@@ -24,8 +24,7 @@ Search::Search(const scene::Scene& scene, const Parameters& parameters)
     : parameters_(parameters), refinement_(std::max(parameters.refined, parameters.refined_thoroughly)) {
   survivors_.resize(parameters_.keep);
   for (std::size_t r = 0; r < scene.room_count(); ++r) {
-    const auto& room = scene.room(static_cast<RoomIndex>(r));
-    area_ += (room.high.x - room.low.x) * (room.high.y - room.low.y);
+    area_ += scene.room(static_cast<RoomIndex>(r)).box_area();
   }
   const double headings = kTwoPi / parameters_.heading_step;
   const auto spacing_for = [&](double candidates) { return std::sqrt(area_ * headings / candidates); };

@@ -69,6 +69,8 @@ class Search {
   /// Puts what was found into `out`, equally weighted; at most its capacity.
   void take(Population& out, Random& random) noexcept;
   [[nodiscard]] const SearchDomain& domain() const noexcept { return domain_; }
+  /// Of the building's rooms, square metres.
+  [[nodiscard]] double area() const noexcept { return area_; }
   [[nodiscard]] bool is_local() const noexcept { return domain_.within.has_value(); }
   /// Log of the mean likelihood of the window's firings (up to the present) over the whole domain.
   [[nodiscard]] double log_evidence() const noexcept { return log_evidence_; }

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "cli/start_option.hpp"
 #include "echoway/io/logs.hpp"
 #include "support/process.hpp"
 
@@ -28,9 +29,7 @@ class Locate : public testing::Test {
     ASSERT_EQ(simulated.status, 0) << simulated.err;
     const auto truth = read_truth_log(prefix_ + ".truth.csv");
     ASSERT_TRUE(truth.ok());
-    const TruthRow& first = truth->front();
-    start_ = first.room + "," + std::to_string(first.pose.position.x) + "," + std::to_string(first.pose.position.y) + "," +
-             std::to_string(to_degrees(first.pose.heading));
+    start_ = test::start_option(truth->front());
   }
 
   ProcessResult locate(std::vector<std::string> more) {

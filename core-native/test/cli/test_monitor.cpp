@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/start_option.hpp"
 #include "echoway/io/logs.hpp"
 #include "support/process.hpp"
 
@@ -63,9 +64,7 @@ TEST(Monitor, FollowsAWalkThatComesFarFasterThanABeltFires) {
   ASSERT_EQ(run_echoway({"simulate", "--walk", walk, "--out", prefix}).status, 0);
   const auto truth = read_truth_log(prefix + ".truth.csv");
   ASSERT_TRUE(truth.ok());
-  const TruthRow& first = truth->front();
-  const std::string start = first.room + "," + std::to_string(first.pose.position.x) + "," +
-                            std::to_string(first.pose.position.y) + "," + std::to_string(to_degrees(first.pose.heading));
+  const std::string start = test::start_option(truth->front());
 
   BackgroundEchoway belt({"play", "--scans", prefix + ".scans.csv", "--speed", "1000"});
   BackgroundEchoway monitor({"monitor", "--building", kLab, "--port", belt.read_line(), "--start", start});

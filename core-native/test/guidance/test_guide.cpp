@@ -67,6 +67,11 @@ struct Listener {
   std::vector<Cue> stand(double seconds, RoomIndex room, Vec2 position, double heading_deg) {
     return stay(seconds, at(0, room, position, heading_deg));
   }
+  /// Walking straight ahead for one firing at `walking`'s speed, which moves.
+  std::vector<Cue> step(Estimate& walking) {
+    walking.pose.position = walking.pose.position + walking.speed_mps * kSlot * unit_from_angle(walking.pose.heading);
+    return stay(kSlot, walking);
+  }
   /// Turning slowly on the spot, as a lost wearer is asked to.
   std::vector<Cue> turn_about(double seconds, RoomIndex room, Vec2 position) {
     double heading = 0.0;
@@ -777,10 +782,7 @@ TEST_F(GuideTest, WhoWalksIntoTheFrameOfADoorHearsWhereTheDoorIsAndIsLedThere) {
     EXPECT_THAT(kinds(bumps.stand(6.0, 0, {4.0, 2.5}, side * 8.0)), Contains(CueKind::go_straight));
     Estimate walking = at(0, 0, {4.0, 2.5}, side * 8.0);
     walking.speed_mps = 0.6;
-    for (const double end = bumps.now + 1.1; bumps.now < end;) {
-      walking.pose.position = walking.pose.position + 0.6 * kSlot * unit_from_angle(walking.pose.heading);
-      (void)bumps.stay(kSlot, walking);
-    }
+    for (const double end = bumps.now + 1.1; bumps.now < end;) (void)bumps.step(walking);
     const auto cues = bumps.stand(12.0, 0, walking.pose.position, side * 8.0);
     const auto door = std::find_if(cues.begin(), cues.end(), [](const Cue& c) { return c.kind == CueKind::door; });
     ASSERT_NE(door, cues.end()) << side;
@@ -1035,8 +1037,7 @@ TEST_F(GuideTest, WhoHasLeftTheRoomWhereTheyWereFoundIsToldThatTheyAreThereWitho
   walking.speed_mps = 0.8;
   std::vector<CueKind> told;
   const auto step = [&] {
-    walking.pose.position = walking.pose.position + 0.8 * kSlot * unit_from_angle(walking.pose.heading);
-    for (const Cue& cue : wearer.stay(kSlot, walking)) told.push_back(cue.kind);
+    for (const Cue& cue : wearer.step(walking)) told.push_back(cue.kind);
   };
   while (walking.pose.position.x < 5.0) step();
   walking.room = 1;
@@ -1055,10 +1056,7 @@ TEST_F(GuideTest, DoubtsAPlaceThatNobodyToldWhereAWallIsMetInsteadOfTheDoor) {
   ASSERT_THAT(kinds(wearer.stand(8.0, 0, {4.0, 2.5}, 8.0)), Contains(CueKind::go_straight));
   Estimate walking = at(0, 0, {4.0, 2.5}, 8.0);
   walking.speed_mps = 0.6;
-  for (const double end = wearer.now + 1.1; wearer.now < end;) {
-    walking.pose.position = walking.pose.position + 0.6 * kSlot * unit_from_angle(walking.pose.heading);
-    (void)wearer.stay(kSlot, walking);
-  }
+  for (const double end = wearer.now + 1.1; wearer.now < end;) (void)wearer.step(walking);
   EXPECT_FALSE(guide.take_doubt());
   (void)wearer.stand(6.0, 0, walking.pose.position, 8.0);
   EXPECT_TRUE(guide.take_doubt());
