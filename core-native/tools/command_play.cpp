@@ -28,8 +28,9 @@
 namespace echoway::tools {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr std::chrono::milliseconds kLinger{500};
-constexpr int kMostLingers = 10;       // While a listener that is slow to come, or none, leaves sentences unread.
 constexpr double kStatusPeriod = 1.0;  // Seconds of the log between the belt's words about itself.
 constexpr double kLongestFlightUs = 1e6;  // That a sentence holds (docs/wire-protocol.md).
 constexpr double kLongestWaitS = 1e9;     // Clocks count no farther than centuries.
@@ -73,10 +74,10 @@ class BeltTerminal {
     }
     return true;
   }
-  /// Whether sentences wait for a listener: hanging up would lose them.
-  [[nodiscard]] bool unread() const {
+  /// How many bytes wait for a listener: hanging up would lose them.
+  [[nodiscard]] int unread() const {
     int bytes = 0;
-    return ioctl(listener_side_, FIONREAD, &bytes) == 0 && bytes > 0;
+    return ioctl(listener_side_, FIONREAD, &bytes) == 0 ? bytes : 0;
   }
 
  private:
@@ -100,6 +101,21 @@ StatusSentence status_of(const BeltHeader& belt) {
   return status;
 }
 
+/// Waits for a listener that still reads, for they would lose the end to the hang-up; false when they read nothing for so
+/// long. The line shows what it holds bit by bit: that nothing waits counts only when it is seen twice.
+bool await_reading(const BeltTerminal& terminal, std::chrono::milliseconds patience) {
+  auto last_read = Clock::now();
+  int before = terminal.unread();
+  while (true) {
+    std::this_thread::sleep_for(kLinger);
+    const int unread = terminal.unread();
+    if (unread == 0 && before == 0) return true;
+    if (unread != before) last_read = Clock::now();
+    if (Clock::now() - last_read >= patience) return false;
+    before = unread;
+  }
+}
+
 int play(const PlayOptions& options) {
   const Result<ScanLog> log = read_scan_log(options.scans);
   if (!log) return bad_input(log.error());
@@ -108,7 +124,6 @@ int play(const PlayOptions& options) {
   fmt::print("{}\n", terminal.name());
   std::fflush(stdout);
 
-  using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   const double first = log->firings.empty() ? 0.0 : log->firings.front().time_s;
   const double sound_speed = speed_of_sound(BeltConfig{}.temperature_c);
@@ -127,11 +142,7 @@ int play(const PlayOptions& options) {
     sent = sent && terminal.send(to_sentence(seq++, firing, sound_speed).text(), patience);
     if (!sent) return bad_input({"nobody reads the terminal", terminal.name()});
   }
-  // A listener that is still reading must not lose the end to the hang-up.
-  int lingers = 0;
-  do {
-    std::this_thread::sleep_for(kLinger);
-  } while (terminal.unread() && ++lingers < kMostLingers);
+  if (!await_reading(terminal, patience)) return bad_input({"nobody reads the terminal", terminal.name()});
   return 0;
 }
 
@@ -142,7 +153,7 @@ void add_play(CLI::App& app, int& status) {
   auto options = std::make_shared<PlayOptions>();
   command->add_option("--scans", options->scans, "Scan log (*.scans.csv)")->required()->check(not_empty());
   command->add_option("--speed", options->speed, "Times real time")->check(decimal(0.01, 1000.0))->capture_default_str();
-  command->add_option("--patience", options->patience_s, "Seconds to wait for a listener when the line holds no more")
+  command->add_option("--patience", options->patience_s, "Seconds to wait for a listener who reads nothing, when the line holds no more and at the end")
       ->check(decimal(0.0, 86400.0))
       ->capture_default_str();
   command->callback([options, &status] { status = play(*options); });

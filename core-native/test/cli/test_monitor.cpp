@@ -1,8 +1,12 @@
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "cli/start_option.hpp"
@@ -86,6 +90,32 @@ TEST(Play, EndsWhenNobodyReads) {
   const test::ProcessResult played = run_echoway({"play", "--scans", log, "--speed", "1000", "--patience", "0.2"});
   EXPECT_EQ(played.status, 2);
   EXPECT_NE(played.err.find(": nobody reads the terminal"), std::string::npos) << played.err;
+}
+
+TEST(Play, SaysSoWhenNobodyReadsWhatTheLineHolds) {
+  const TemporaryFolder folder;
+  const std::string log = folder.write("log.csv", "time_s,sensor,range_m\n0,0,1.5\n").string();
+  const test::ProcessResult played = run_echoway({"play", "--scans", log, "--patience", "0.2"});
+  EXPECT_EQ(played.status, 2);
+  EXPECT_NE(played.err.find(": nobody reads the terminal"), std::string::npos) << played.err;
+}
+
+TEST(Play, LosesNothingToAListenerWhoIsSlow) {
+  const TemporaryFolder folder;
+  std::string rows = "time_s,sensor,range_m\n";
+  for (int i = 0; i < 100; ++i) rows += std::to_string(0.001 * i) + ",0,1.5\n";  // The line holds all of it.
+  const std::string log = folder.write("log.csv", rows).string();
+  BackgroundEchoway belt({"play", "--scans", log, "--patience", "86400"});
+  const int port = open(belt.read_line().c_str(), O_RDONLY | O_NOCTTY | O_CLOEXEC);
+  ASSERT_GE(port, 0);
+  std::this_thread::sleep_for(std::chrono::seconds(6));  // A machine that has other things to do.
+  std::string heard;
+  char buffer[1000];
+  for (ssize_t count = read(port, buffer, sizeof buffer); count > 0; count = read(port, buffer, sizeof buffer)) {
+    heard.append(buffer, static_cast<std::size_t>(count));
+  }
+  close(port);
+  EXPECT_EQ(std::count(heard.begin(), heard.end(), '$'), 101);  // Each firing, and once what the belt says of itself.
 }
 
 TEST(Monitor, RefusesABeltOfAnotherNumberOfSensorsThanIsThought) {
