@@ -16,7 +16,7 @@ struct SpokenCue {
 };
 
 /// Takes the cues of a session and puts them into words. Two cues may have the same words (a turn and a sharper one "to four
-/// o'clock"): the second is left out within ten seconds, as in the app.
+/// o'clock"): the second is left out within the session's repeat_gap_s(), as in the app.
 class CueCollector {
  public:
   CueCollector(Session& session, const SpeechStyle& style) : session_(session), speaker_(session.building(), style) {}

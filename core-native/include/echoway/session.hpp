@@ -93,6 +93,8 @@ class Session {
 
   /// Takes the next cue that is to be spoken; false when there is none. Words for it: echoway/speech/speaker.hpp.
   bool next_cue(Cue& cue);
+  /// Nothing is said twice within so many seconds, unless asked: for whoever puts cues into words, which may be the same.
+  [[nodiscard]] double repeat_gap_s() const;
   /// False once the wearer has arrived and stays.
   [[nodiscard]] bool has_destination() const;
   /// Whether a way leads to the destination from where the session's start says that the wearer is. Fails, naming the rooms

@@ -217,6 +217,7 @@ void Session::clear_destination() { impl_->guide.clear_destination(); }
 void Session::where_am_i() { impl_->guide.where_am_i(); }
 bool Session::repeat() { return impl_->guide.repeat(); }
 bool Session::next_cue(Cue& cue) { return impl_->guide.next_cue(cue); }
+double Session::repeat_gap_s() const { return guide_config(impl_->config.belt).repeat_gap_s; }
 bool Session::has_destination() const { return impl_->guide.has_destination(); }
 Status Session::check_way_from_start() const {
   const Start& start = impl_->config.start;
