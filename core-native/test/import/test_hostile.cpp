@@ -94,6 +94,22 @@ TEST_F(HostilePlan, AFeatureOnTheOtherSideOfTheEarthIsLeftOut) {
   EXPECT_THAT(report.items().front().to_string(), testing::AllOf(HasSubstr("feature 7"), HasSubstr("lies far")));
 }
 
+// A table of levels with a gap in it is written in decimals by many tools.
+TEST_F(HostilePlan, AWholeNumberMayBeWrittenAsADecimal) {
+  const std::string room = R"({"type": "Feature", "properties": {"id": 2, "type": "unit", "name": "Only"}, "geometry":
+    {"type": "Polygon", "coordinates": [[[8.0001, 47.0001], [8.0002, 47.0001], [8.0002, 47.0002], [8.0001, 47.0002]]]}})";
+  const auto import_level = [&](const std::string& number) {
+    wrld(room);
+    write("main.json", R"({"name": "X", "levels": [{"name": "G", "z_order": )" + number + R"(, "filename": "g.geojson"}]})");
+    Report report;
+    return import_building(SourceFormat::wrld, folder_, report);
+  };
+  const auto imported = import_level("2.0");
+  ASSERT_TRUE(imported) << imported.error().to_string();
+  EXPECT_EQ(imported->building.rooms.front().level, 2);
+  EXPECT_THAT(import_level("2.5").error().to_string(), HasSubstr("whole number"));
+}
+
 TEST_F(HostilePlan, NothingThatEnclosesIsNoBuilding) {
   EXPECT_THAT(refusal(SourceFormat::wrld, wrld(wall("[8,47],[8.0001,47],[8.0001,47.00001],[8,47.00001]"))),
               HasSubstr("cannot become a building"));

@@ -114,6 +114,13 @@ std::string text_of(const json& object, const char* key) {
   return {};
 }
 
+std::optional<int> level_number(const json& value) {
+  if (!value.is_number()) return std::nullopt;
+  const double number = value.get<double>();
+  if (number != std::floor(number) || std::abs(number) > kMaxLevels) return std::nullopt;
+  return static_cast<int>(number);
+}
+
 const json& member(const json& object, const char* key) {
   static const json kNull;
   if (!object.is_object()) return kNull;

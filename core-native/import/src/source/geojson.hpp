@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct Geometry {
 
 /// Text of a member that may be a string, a number, null or absent.
 [[nodiscard]] std::string text_of(const nlohmann::json& object, const char* key);
+/// A whole number of a level, however it is written (2, 2.0); nothing for other values and beyond kMaxLevels.
+[[nodiscard]] std::optional<int> level_number(const nlohmann::json& value);
 /// An object's member, or null.
 [[nodiscard]] const nlohmann::json& member(const nlohmann::json& object, const char* key);
 

@@ -113,16 +113,14 @@ class Reader {
   void read_levels() {
     std::map<int, std::string> by_ordinal;
     for_each("level", true, [&](const json&, const json& properties, const Source& source) {
-      const json& ordinal = member(properties, "ordinal");
-      if (!ordinal.is_number_integer() || std::abs(ordinal.get<double>()) > kMaxLevels) {
-        throw SourceError(source, "a level needs a whole number ordinal");
-      }
+      const std::optional<int> ordinal = level_number(member(properties, "ordinal"));
+      if (!ordinal) throw SourceError(source, "a level needs a whole number ordinal");
       const json& outdoor = member(properties, "outdoor");
       if (outdoor.is_boolean() && outdoor.get<bool>()) {
         outdoor_levels_.insert(source.id);
         return;
       }
-      const int level = ordinal.get<int>();
+      const int level = *ordinal;
       if (const auto [first, fresh] = by_ordinal.emplace(level, source.id); !fresh) {
         levels_.emplace(source.id, levels_.at(first->second));
         report_.note(source, "", {}, "shares its ordinal with level " + first->second + ": drawn on the same level");

@@ -72,8 +72,8 @@ void read_level_paths(SourceTree& tree, const std::string& filename, Plan& plan,
     return;
   }
   const json document = parse_json(tree.read(filename), file);
-  const json& z_order = member(document, "z_order");
-  PlanLevel* level = z_order.is_number_integer() ? find_level(plan, z_order.get<int>()) : nullptr;
+  const std::optional<int> z_order = level_number(member(document, "z_order"));
+  PlanLevel* level = z_order ? find_level(plan, *z_order) : nullptr;
   if (level == nullptr) {
     report.unresolved({file, ""}, "", {}, "gives no z_order of a level: its path names are not used");
     return;
@@ -95,11 +95,10 @@ void read_link(const json& feature, const Source& source, Plan& plan) {
   if (!levels.is_array() || geometry.paths.empty()) return;
   const Path& path = geometry.paths.front();
   for (std::size_t i = 1; i < std::min(levels.size(), path.size()); ++i) {
-    if (!levels[i - 1].is_number_integer() || !levels[i].is_number_integer()) continue;
-    const int from = levels[i - 1].get<int>(), to = levels[i].get<int>();
-    if (from == to) continue;
+    const std::optional<int> from = level_number(levels[i - 1]), to = level_number(levels[i]);
+    if (!from || !to || *from == *to) continue;
     plan.links.push_back({source, type == "elevator" ? LevelLinkKind::elevator : LevelLinkKind::stairs,
-                          {from, "", path[i - 1]}, {to, "", path[i]}});
+                          {*from, "", path[i - 1]}, {*to, "", path[i]}});
   }
 }
 
@@ -119,13 +118,11 @@ void read_paths(SourceTree& tree, Plan& plan, Report& report) {
 }
 
 PlanLevel level_header(const json& entry, const std::string& file) {
-  const json& z_order = member(entry, "z_order");
+  const std::optional<int> z_order = level_number(member(entry, "z_order"));
   const Source source{file, text_of(entry, "id")};
-  if (!z_order.is_number_integer() || std::abs(z_order.get<double>()) > kMaxLevels) {
-    throw SourceError(source, "a level needs a whole number z_order");
-  }
+  if (!z_order) throw SourceError(source, "a level needs a whole number z_order");
   PlanLevel level;
-  level.ordinal = z_order.get<int>();
+  level.ordinal = *z_order;
   level.short_name = text_of(entry, "name");
   level.name = text_of(entry, "readable_name");
   if (level.short_name.empty()) level.short_name = std::to_string(level.ordinal);
