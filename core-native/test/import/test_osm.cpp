@@ -1,3 +1,12 @@
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "echoway/units.hpp"
 #include "import/imported.hpp"
 
 namespace echoway::import {
@@ -71,6 +80,93 @@ TEST(Osm, DirtIsRepairedOrListedWithItsLine) {
   for (const ReportItem& item : plan.report.items()) {
     EXPECT_TRUE(item.source.id.empty() || item.source.file.find("hill-school.osm:") != std::string::npos);
   }
+}
+
+// Two rooms beside each other with a door between and one out, and what a test adds, as JOSM saves them. Metres.
+class DrawnPlan {
+ public:
+  DrawnPlan() {
+    room("West", {{0, 0}, {6, 0}, {6, 5}, {0, 5}});
+    room("East", {{6, 0}, {12, 0}, {12, 5}, {6, 5}});
+    node({12, 2.5}, tag("entrance", "main") + tag("level", "0"));
+  }
+
+  static std::string tag(const std::string& key, const std::string& value) {
+    return "<tag k='" + key + "' v='" + value + "'/>";
+  }
+  long node(Vec2 at, const std::string& tags = {}) {
+    char place[120];
+    // Degrees near 0 are the same length both ways.
+    std::snprintf(place, sizeof place, "<node id='%ld' lat='%.9f' lon='%.9f'>", --id_, at.y / 110574.3, at.x / 111319.5);
+    text_ += place + tags + "</node>\n";
+    return id_;
+  }
+  long door(Vec2 at, const std::string& width = "0.9") {
+    return node(at, tag("door", "yes") + tag("level", "0") + tag("width", width));
+  }
+  long way(std::vector<long> nodes, const std::string& tags) {
+    text_ += "<way id='" + std::to_string(--id_) + "'>";
+    for (const long i : nodes) text_ += "<nd ref='" + std::to_string(i) + "'/>";
+    text_ += tags + "</way>\n";
+    return id_;
+  }
+  std::vector<long> ring(const std::vector<Vec2>& corners) {
+    std::vector<long> nodes;
+    for (const Vec2 corner : corners) nodes.push_back(node(corner));
+    nodes.push_back(nodes.front());
+    return nodes;
+  }
+  static std::string room_tags(const std::string& name) {
+    return tag("indoor", "room") + tag("level", "0") + tag("name", name);
+  }
+  long room(const std::string& name, const std::vector<Vec2>& corners) { return way(ring(corners), room_tags(name)); }
+  void relation(const std::string& members, const std::string& tags) {
+    text_ += "<relation id='" + std::to_string(--id_) + "'>" + members + tags + "</relation>\n";
+  }
+  static std::string member(long way, const std::string& role) {
+    return "<member type='way' ref='" + std::to_string(way) + "' role='" + role + "'/>";
+  }
+  void forget_node(long node) {
+    const std::size_t begin = text_.find("<node id='" + std::to_string(node) + "'");
+    text_.erase(begin, text_.find('\n', begin) - begin);
+  }
+
+  [[nodiscard]] ImportedPlan import(const std::string& encoding = "UTF-8") const {
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) /
+                                       (std::string("drawn-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::ofstream(file, std::ios::binary) << "<?xml version='1.0' encoding='" << encoding << "'?>\n<osm version='0.6'>\n"
+                                          << text_ << "</osm>\n";
+    ImportedPlan plan = import_plan(SourceFormat::osm, file);
+    std::filesystem::remove(file);
+    return plan;
+  }
+  static std::string id_of(const char* type, long id) { return std::string(type) + "/" + std::to_string(id); }
+
+ private:
+  std::string text_;
+  long id_ = 0;
+};
+
+std::size_t doors_of(const ImportedPlan& plan, const std::string& room) {
+  const RoomIndex i = plan.building.find_room(room);
+  return static_cast<std::size_t>(std::count_if(plan.building.doors.begin(), plan.building.doors.end(), [&](const Door& door) {
+    return door.room_a == i || door.room_b == i;
+  }));
+}
+
+TEST(Osm, ADoorInARoundWallIsFound) {
+  DrawnPlan drawn;
+  std::vector<Vec2> circle;
+  constexpr int kPieces = 120;
+  const auto at = [](double angle) { return Vec2{30.0 + 5.0 * std::cos(angle), 5.0 * std::sin(angle)}; };
+  for (int i = 0; i < kPieces; ++i) circle.push_back(at(degrees(360.0 * i / kPieces)));
+  drawn.room("Tower", circle);
+  drawn.room("Court", {{24, -6}, {36, -6}, {36, 6}, {24, 6}});
+  const long door = drawn.door(at(degrees(45.0)));
+  const ImportedPlan plan = drawn.import();
+  ASSERT_THAT(plan.doors_between("0-tower", "0-court"), SizeIs(1));
+  EXPECT_FALSE(plan.repaired(DrawnPlan::id_of("node", door), "off its wall"));
+  expect_sound(plan.building);
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ constexpr double kFrameReach = 0.35;     // the same from the face of a door dra
 constexpr double kStep = 0.02;           // metres between looks
 constexpr double kSnapReach = 0.75;      // metres by which a door may stand off its wall
 constexpr double kMinWidth = 0.4;        // metres
+constexpr double kCurve = 0.7;           // cosine of the turn up to which short edges are pieces of one curved wall
 constexpr double kLeafGap = 0.15;        // metres between leaves of one door
 constexpr double kInset = 1e-3;          // metres; a look this far inside a cell is certain
 
@@ -159,9 +160,8 @@ class Placer {
       unresolved(door, given, "stands off every wall: left out");
       return false;
     }
-    const double moved = distance(snapped->centre, given);
-    candidate = *snapped;
-    sides = sides_of(candidate, kWallReach);
+    const double moved = distance(snapped->first.centre, given);
+    std::tie(candidate, sides) = *snapped;
     if (moved > 0.05 && report_ != nullptr) {
       char text[80];
       std::snprintf(text, sizeof text, "stood %.2f m off its wall: moved onto it", moved);
@@ -177,9 +177,9 @@ class Placer {
   }
 
   // The point of the nearest cell's outline, in the middle between it and the next cell if there is a wall between.
-  std::optional<Candidate> snap(const PlanDoor& door, Vec2 given, double line_width) const {
+  std::optional<std::pair<Candidate, Sides>> snap(const PlanDoor& door, Vec2 given, double line_width) const {
     const double width = door.width > 0.0 ? door.width : line_width > kMinWidth ? line_width : kDefaultWidth;
-    std::optional<Candidate> best;
+    std::optional<std::pair<Candidate, Sides>> best;
     int best_score = 0;
     double best_distance = kSnapReach;
     for (const Cell& cell : floor_.cells) {
@@ -188,12 +188,16 @@ class Placer {
         for (std::size_t i = 1; i < ring.size(); ++i) {
           const Segment edge{ring[i - 1], ring[i]};
           const double away = distance(edge, given);
-          if (away > kSnapReach || edge.length() < kMinWidth) continue;
-          const Candidate here{nearest_point(edge, given), (1.0 / edge.length()) * edge.direction(), width, 0.0};
+          const bool curved = edge.length() < kMinWidth && curves(ring, i);
+          if (away > kSnapReach || (edge.length() < kMinWidth && !curved)) continue;
+          Candidate here{nearest_point(edge, given), (1.0 / edge.length()) * edge.direction(), width, 0.0};
+          // Beside its tangent point a curved wall is not where a straight one would be.
+          if (curved) here.width = edge.length();
           const Sides sides = sides_of(here, kWallReach);
+          here.width = width;
           const int score = joins_two(sides) ? 10 + sides.score() : 0;
           if (score > 0 && (score > best_score || (score == best_score && away < best_distance - 1e-6))) {
-            best = here;
+            best = {here, sides};
             best_score = score;
             best_distance = away;
           }
@@ -201,6 +205,17 @@ class Placer {
       }
     }
     return best;
+  }
+
+  // Whether the ring (whose last point is its first) goes on without a corner before and behind its i-th edge.
+  static bool curves(const Path& ring, std::size_t i) {
+    const std::size_t edges = ring.size() - 1;
+    const auto direction = [&](std::size_t edge) {
+      const Vec2 d = ring[edge % edges + 1] - ring[edge % edges];
+      return (1.0 / norm(d)) * d;
+    };
+    const Vec2 here = direction(i - 1);
+    return dot(here, direction(i - 1 + edges - 1)) > kCurve && dot(here, direction(i)) > kCurve;
   }
 
   void keep(const PlanDoor& door, const Candidate& candidate, const Sides& sides) {
