@@ -154,6 +154,12 @@ std::size_t doors_of(const ImportedPlan& plan, const std::string& room) {
   }));
 }
 
+TEST(Osm, IsReadInTheEncodingThatItNames) {
+  DrawnPlan drawn;
+  drawn.room("B\xFCro", {{0, 5}, {6, 5}, {6, 9}, {0, 9}});
+  EXPECT_THAT(drawn.import("ISO-8859-1").place_names(), Contains("B\xC3\xBCro"));
+}
+
 TEST(Osm, ADoorInARoundWallIsFound) {
   DrawnPlan drawn;
   std::vector<Vec2> circle;

@@ -20,7 +20,7 @@ namespace {
 // frames, so the first one is kept and the parser is stopped.
 class Builder {
  public:
-  explicit Builder(std::string file) : parser_(XML_ParserCreate("UTF-8"), XML_ParserFree) {
+  explicit Builder(std::string file) : parser_(XML_ParserCreate(nullptr), XML_ParserFree) {
     document_.file = std::move(file);
     XML_SetUserData(parser_.get(), this);
     XML_SetElementHandler(
