@@ -160,6 +160,17 @@ TEST(Osm, IsReadInTheEncodingThatItNames) {
   EXPECT_THAT(drawn.import("ISO-8859-1").place_names(), Contains("B\xC3\xBCro"));
 }
 
+TEST(Osm, ADoorWhoseWidthIsNoneIsThereWithTheUsualOne) {
+  for (const char* width : {"90", "0,9", "wide", "-1"}) {
+    DrawnPlan drawn;
+    const long door = drawn.door({6, 2.5}, width);
+    const ImportedPlan plan = drawn.import();
+    ASSERT_THAT(plan.doors_between("0-west", "0-east"), SizeIs(1)) << width;
+    EXPECT_NEAR(plan.doors_between("0-west", "0-east")[0].width, feet(3.0), 1e-3) << width;
+    EXPECT_TRUE(plan.unresolved(DrawnPlan::id_of("node", door), std::string("width=") + width)) << width;
+  }
+}
+
 TEST(Osm, ADoorInARoundWallIsFound) {
   DrawnPlan drawn;
   std::vector<Vec2> circle;

@@ -16,6 +16,7 @@ namespace echoway::import {
 namespace {
 
 constexpr double kDefaultWallThickness = 0.1;  // metres; a light partition, for indoor=wall drawn as a line
+constexpr double kWidestDoor = 5.0;            // metres; a wider one was measured in something else
 
 std::string tag(const OsmTags& tags, std::string_view key) {
   const auto found = tags.find(key);
@@ -223,13 +224,24 @@ class Reader {
     for (const double number : on) level(number).amenities.push_back({from, node.at, tag(node.tags, "name"), category});
   }
 
+  // 0 when it is not said, or in no way that can be one.
+  double door_width(const OsmTags& tags, const Source& from) {
+    for (const char* key : {"width", "door:width"}) {
+      const std::string text = tag(tags, key);
+      if (text.empty()) continue;
+      const double width = metres(text);
+      if (width > 0.0 && width <= kWidestDoor) return width;
+      report_.unresolved(from, "", {}, std::string(key) + "=" + text + " is no door's width in metres: taken as not said");
+    }
+    return 0.0;
+  }
+
   void place_door(const OsmNode& node, const Source& from, const std::vector<double>& on, bool entrance) {
     if (on.empty()) {
       report_.unresolved(from, "", {}, "a door without a level, on no wall: left out");
       return;
     }
-    double width = metres(tag(node.tags, "width"));
-    if (width == 0.0) width = metres(tag(node.tags, "door:width"));
+    const double width = door_width(node.tags, from);
     for (const double number : on) {
       level(number).doors.push_back({from, {}, {node.at}, width,
                                      entrance ? PlanDoor::WayOut::yes : PlanDoor::WayOut::unknown,
