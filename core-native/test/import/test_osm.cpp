@@ -160,6 +160,17 @@ TEST(Osm, IsReadInTheEncodingThatItNames) {
   EXPECT_THAT(drawn.import("ISO-8859-1").place_names(), Contains("B\xC3\xBCro"));
 }
 
+TEST(Osm, ARoomKeepsItsOtherCornersWhereOneIsNotInTheFile) {
+  DrawnPlan drawn;
+  const std::vector<long> nodes = drawn.ring({{0, 5}, {3, 4.9}, {6, 5}, {6, 9}, {0, 9}});
+  const std::vector<long> turned{nodes[1], nodes[2], nodes[3], nodes[4], nodes[0], nodes[1]};
+  drawn.way(turned, DrawnPlan::room_tags("North"));
+  drawn.forget_node(nodes[1]);
+  const ImportedPlan plan = drawn.import();
+  ASSERT_NE(plan.room("0-north"), nullptr);
+  EXPECT_NEAR(floor_area(*plan.room("0-north")), 24.0, 0.05);
+}
+
 TEST(Osm, ADoorWhoseWidthIsNoneIsThereWithTheUsualOne) {
   for (const char* width : {"90", "0,9", "wide", "-1"}) {
     DrawnPlan drawn;

@@ -109,10 +109,10 @@ class Reader {
 
   static bool closed(const OsmWay& way) { return way.nodes.size() > 3 && way.nodes.front() == way.nodes.back(); }
 
-  Area area_of_way(const OsmWay& way, const Source& source) {
-    Path ring = path_of(way, source);
-    if (!ring.empty()) ring.pop_back();
-    return {{std::move(ring), {}}};
+  // REQUIRES: a closed way. Its last node is its first.
+  Path ring_of(OsmWay way, const Source& source) {
+    way.nodes.pop_back();
+    return path_of(way, source);
   }
 
   void read_way(OsmId id, const OsmWay& way) {
@@ -120,7 +120,7 @@ class Reader {
     remember_building(way.tags);
     if (!is_indoor(way.tags)) return;
     if (closed(way)) {
-      place_area(way.tags, from, area_of_way(way, from));
+      place_area(way.tags, from, {{ring_of(way, from), {}}});
     } else {
       place_line(way.tags, from, path_of(way, from));
     }
@@ -150,8 +150,7 @@ class Reader {
         report_.unresolved(from, "", {}, "member " + std::to_string(m.ref) + " is no closed way: left out");
         continue;
       }
-      Path ring = path_of(way->second, from);
-      ring.pop_back();
+      Path ring = ring_of(way->second, from);
       if (m.role == "inner") {
         polygon.holes.push_back(std::move(ring));
       } else if (polygon.outer.empty()) {
