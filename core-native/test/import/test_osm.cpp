@@ -171,6 +171,18 @@ TEST(Osm, ARoomKeepsItsOtherCornersWhereOneIsNotInTheFile) {
   EXPECT_NEAR(floor_area(*plan.room("0-north")), 24.0, 0.05);
 }
 
+TEST(Osm, RoomsThatItCannotTakeAreListed) {
+  DrawnPlan drawn;
+  std::vector<long> nodes = drawn.ring({{0, 5}, {6, 5}, {6, 9}, {0, 9}});
+  nodes.pop_back();
+  const long open = drawn.way(nodes, DrawnPlan::room_tags("Open"));
+  const long vague = drawn.way(drawn.ring({{6, 5}, {12, 5}, {12, 9}, {6, 9}}),
+                               DrawnPlan::tag("indoor", "yes") + DrawnPlan::tag("level", "0"));
+  const ImportedPlan plan = drawn.import();
+  EXPECT_TRUE(plan.unresolved(DrawnPlan::id_of("way", open), "does not return to its first node"));
+  EXPECT_TRUE(plan.unresolved(DrawnPlan::id_of("way", vague), "indoor=yes"));
+}
+
 TEST(Osm, ADoorWhoseWidthIsNoneIsThereWithTheUsualOne) {
   for (const char* width : {"90", "0,9", "wide", "-1"}) {
     DrawnPlan drawn;

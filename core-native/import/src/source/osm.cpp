@@ -163,7 +163,11 @@ class Reader {
 
   void place_area(const OsmTags& tags, const Source& from, const Area& area) {
     const std::string indoor = tag(tags, "indoor");
-    if (indoor == "yes" || indoor == "no" || indoor == "level" || indoor == "door") return;
+    if (indoor == "no" || indoor == "level" || indoor == "door") return;
+    if (indoor == "yes") {
+      report_.unresolved(from, "", {}, "indoor=yes does not say what it is (a room, a corridor, an area): left out");
+      return;
+    }
     const std::vector<double> on = levels_of(tags, from);
     if (on.empty()) {
       if (unreadable_.count(from.id) == 0) report_.unresolved(from, "", {}, "has no level=*: left out");
@@ -197,6 +201,8 @@ class Reader {
       // Steps are drawn upwards unless they say otherwise.
       const bool down = tag(tags, "incline") == "down";
       steps_.push_back({from, on[down ? 1 : 0], on[down ? 0 : 1], path});
+    } else if (has(tags, "indoor") && unit_kind(tags) == UnitKind::room) {
+      report_.unresolved(from, "", {}, "a room whose outline does not return to its first node: left out");
     }
   }
 
