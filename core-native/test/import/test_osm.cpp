@@ -171,6 +171,23 @@ TEST(Osm, ARoomKeepsItsOtherCornersWhereOneIsNotInTheFile) {
   EXPECT_NEAR(floor_area(*plan.room("0-north")), 24.0, 0.05);
 }
 
+TEST(Osm, ARoomOfTwoOutlinesIsThereTwice) {
+  DrawnPlan drawn;
+  const long west = drawn.way(drawn.ring({{0, 5}, {4, 5}, {4, 9}, {0, 9}}), "");
+  const long east = drawn.way(drawn.ring({{8, 5}, {12, 5}, {12, 9}, {8, 9}}), "");
+  const long column = drawn.way(drawn.ring({{9.5, 6.5}, {10.5, 6.5}, {10.5, 7.5}, {9.5, 7.5}}), "");
+  drawn.relation(DrawnPlan::member(west, "outer") + DrawnPlan::member(east, "outer") + DrawnPlan::member(column, "inner"),
+                 DrawnPlan::tag("type", "multipolygon") + DrawnPlan::room_tags("Twin"));
+  drawn.door({2, 5});
+  drawn.door({10, 5});
+  const ImportedPlan plan = drawn.import();
+  ASSERT_NE(plan.room("0-twin"), nullptr);
+  ASSERT_NE(plan.room("0-twin-2"), nullptr);
+  EXPECT_NEAR(floor_area(*plan.room("0-twin")), 16.0, 0.05);
+  EXPECT_NEAR(floor_area(*plan.room("0-twin-2")), 15.0, 0.05);
+  EXPECT_EQ(doors_of(plan, "0-twin-2"), 1U);
+}
+
 TEST(Osm, RoomsThatItCannotTakeAreListed) {
   DrawnPlan drawn;
   std::vector<long> nodes = drawn.ring({{0, 5}, {6, 5}, {6, 9}, {0, 9}});

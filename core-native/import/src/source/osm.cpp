@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "echoway/geometry/inclusion.hpp"
 #include "source/limits.hpp"
 #include "source/osm_document.hpp"
 #include "source/osm_levels.hpp"
@@ -143,7 +144,8 @@ class Reader {
     const Source from = source("relation", id, relation.line);
     remember_building(relation.tags);
     if (tag(relation.tags, "type") != "multipolygon" || !is_indoor(relation.tags)) return;
-    geos::Polygon2 polygon;
+    Area area;
+    std::vector<Path> holes;
     for (const OsmMember& m : relation.members) {
       const auto way = document_.ways.find(m.ref);
       if (m.type != "way" || way == document_.ways.end() || !closed(way->second)) {
@@ -152,13 +154,22 @@ class Reader {
       }
       Path ring = ring_of(way->second, from);
       if (m.role == "inner") {
-        polygon.holes.push_back(std::move(ring));
-      } else if (polygon.outer.empty()) {
-        polygon.outer = std::move(ring);
+        holes.push_back(std::move(ring));
+      } else {
+        area.push_back({std::move(ring), {}});
       }
       for (const OsmId ref : way->second.nodes) node_levels_[ref].merge(set_of(levels_of(relation.tags, from)));
     }
-    if (!polygon.outer.empty()) place_area(relation.tags, from, {std::move(polygon)});
+    for (Path& hole : holes) put_into(area, std::move(hole));
+    if (!area.empty()) place_area(relation.tags, from, area);
+  }
+
+  // Of several outlines, the hole is in the one that it lies in.
+  static void put_into(Area& area, Path hole) {
+    if (hole.empty()) return;
+    const auto holds = [&hole](const geos::Polygon2& polygon) { return contains({&polygon.outer, 1}, hole.front()); };
+    const auto around = area.size() == 1 ? area.begin() : std::find_if(area.begin(), area.end(), holds);
+    if (around != area.end()) around->holes.push_back(std::move(hole));
   }
 
   void place_area(const OsmTags& tags, const Source& from, const Area& area) {
