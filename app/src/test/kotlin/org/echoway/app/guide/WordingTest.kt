@@ -33,6 +33,7 @@ class WordingTest {
         Message.BeltRefused to "Belt refused. “Where am I?” asks again.",
         Message.BeltChanged(12) to "Belt has twelve sensors. Finding where you are.",
         Message.BeltChanged(21) to "Belt has twenty-one sensors. Finding where you are.",
+        Message.NotAPass to "No certified PASS device. Wear yours, switched on.",
         Message.WatchEnded to "Firefighter mode off.",
         Message.StillSoon to "No movement. Move, or the alarm sounds.",
         Message.StillAlarm to "Alarm. Wearer not moving.",

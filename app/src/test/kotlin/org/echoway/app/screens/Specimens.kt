@@ -1,10 +1,14 @@
 package org.echoway.app.screens
 
 import android.content.Context
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.platform.LocalConfiguration
+import androidx.compose.ui.platform.LocalResources
 import androidx.test.core.app.ApplicationProvider
 import kotlinx.coroutines.runBlocking
 import org.echoway.app.building.BundledBuildings
 import org.echoway.app.engine.Picture
+import org.echoway.app.guide.Wording
 import org.echoway.app.settings.Settings
 import org.echoway.app.settings.SourceKind
 import org.echoway.app.testing.SamplePlan
@@ -36,11 +40,21 @@ internal val torgersen: Plan by lazy {
     runBlocking { BundledBuildings(ApplicationProvider.getApplicationContext<Context>(), 1).find("torgersen-lab")!!.plan }
 }
 
+/** "Room 4, Seminar room.": the room's name is the plan's own in every language. */
+@Composable
+internal fun whereOneIs() = Wording(LocalResources.current).room(torgersen.rooms.first { it.id == "4" })
+
+/** A line of the core's, which is not asked for it here: pictures are of English and German. */
+@Composable
+internal fun inItsLanguage(english: String, german: String) =
+    if (LocalConfiguration.current.locales[0].language == "de") german else english
+
+@Composable
 private fun tracking() = LiveUiState.On(
     building = torgersen.name,
     plan = torgersen,
-    words = "Room 4, Seminar room.",
-    lastLine = "Door behind you, eight feet.",
+    words = whereOneIs(),
+    lastLine = inItsLanguage("Door behind you, eight feet.", "Tür hinter Ihnen, zweieinhalb Meter."),
     wearer = SamplePlan.estimate(room = torgersen.rooms.indexOfFirst { it.id == "4" }, x = 2.4, y = 2.6, headingDegrees = 30.0, sigmaM = 0.4),
     level = 3,
     voiceMissing = false,
@@ -61,11 +75,11 @@ private fun pictureToHall(): Picture {
     return Picture(Route(way, 14.0, 0.4, usesStairs = false, usesElevator = false, Destination(DestinationKind.ROOM, room("hall"))), trail)
 }
 
-private fun live(name: String, variants: Set<Variant> = LIGHT_ONLY, state: () -> LiveUiState) =
+private fun live(name: String, variants: Set<Variant> = LIGHT_ONLY, state: @Composable () -> LiveUiState) =
     Specimen(name, variants) { LiveScreen(state(), LiveActions({}, {}, {}, {}, {})) }
 
 private fun liveSpecimens() = listOf(
-    live("live-tracking", USUAL + Variant.SMOKE + Variant.GERMAN_LARGE_TEXT, ::tracking),
+    live("live-tracking", USUAL + Variant.SMOKE + Variant.GERMAN_LARGE_TEXT) { tracking() },
     live("live-no-voice") { tracking().copy(words = "Belt disconnected.", lastLine = "Belt disconnected.", wearer = null, voiceMissing = true) },
     live("live-off") { LiveUiState.Off(torgersen.name, torgersen) },
     live("live-failed") { LiveUiState.Failed("Cannot start. The floor plan is unusable.", "building.cfg:3: there is no room 12") },

@@ -57,7 +57,7 @@ private fun group(title: String, kind: DestinationKind, vararg names: String) =
     DestinationGroup(title, names.mapIndexed { i, name -> DestinationOption(Destination(kind, i), name, name.startsWith("Lectern")) })
 
 private fun firefighter(name: String, variants: Set<Variant>, running: Boolean, stillness: Stillness, voiceMissing: Boolean = false) = Specimen(name, variants) {
-    val state = FirefighterUiState("Room 4, Seminar room.", "Go straight, twenty feet.".takeIf { running }.orEmpty(), running, stillness, voiceMissing)
+    val state = FirefighterUiState(whereOneIs(), if (running) inItsLanguage("Go straight, twenty feet.", "Geradeaus, sechs Meter.") else "", running, stillness, voiceMissing)
     FirefighterScreen(state, FirefighterActions({}, {}, {}, {}))
 }
 

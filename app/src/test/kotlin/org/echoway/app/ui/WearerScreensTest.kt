@@ -34,6 +34,7 @@ import org.echoway.app.service.TestApp
 import org.echoway.app.settings.Settings
 import org.echoway.app.settings.SourceKind
 import org.echoway.app.touch.Touch
+import org.echoway.app.voice.VoiceStatus
 import org.echoway.core.Destination
 import org.echoway.core.DestinationKind
 import org.echoway.core.Language
@@ -258,13 +259,26 @@ class WearerScreensTest {
         guide()
         press("Menu", "Firefighter mode")
         assertTrue(settings.value.firefighter)
-        heard("Not a certified PASS device.")
+        heard("No certified PASS device.")
         press("Nearest exit")
         assertEquals(Wish.LeadTo(Destination.WAY_OUT), leading)
         press("Leave firefighter mode")
         assertTrue(!settings.value.firefighter)
         rule.onNodeWithText("Menu").assertIsDisplayed()
         heard("Firefighter mode off.")
+    }
+
+    @Test fun aFirefighterWhosePhoneCannotSpeakReadsSoAndWhatWouldHaveBeenSaid() {
+        launch { it.copy(firefighter = true, notMovedAlertS = 600) }
+        guide()
+        container.voice.status.value = VoiceStatus.NO_ENGINE
+        awaitText("No voice: tones and vibration.")
+        rule.onNodeWithText("No voice: tones and vibration.").assertIsDisplayed().assert(isLiveRegion)
+        press("Way back")
+        awaitText("No way back yet.")
+        container.voice.status.value = VoiceStatus.READY
+        settle()
+        rule.onNodeWithText("No voice: tones and vibration.").assertDoesNotExist()
     }
 
     @Test fun goingBackLeavesFirefighterModeToo() {
