@@ -71,6 +71,14 @@ TEST_F(HostilePlan, BrokenTextIsRefusedWithItsLine) {
   EXPECT_THAT(refusal(SourceFormat::osm, write("cut.osm", "<osm>\n<node id='1'")), HasSubstr("cut.osm:2: "));
 }
 
+TEST_F(HostilePlan, TextInAnotherEncodingIsSaidToBe) {
+  wrld("");
+  write("main.json", "{\n\"name\": \"B\xFCro\", \"levels\": []}");
+  EXPECT_THAT(refusal(SourceFormat::wrld, folder_), HasSubstr("main.json:2: is not UTF-8 text"));
+  write("main.json", std::string("\xFF\xFE{\0}\0", 6));
+  EXPECT_THAT(refusal(SourceFormat::wrld, folder_), HasSubstr("main.json:1: is not UTF-8 text"));
+}
+
 TEST_F(HostilePlan, EntitiesAreRefused) {
   EXPECT_THAT(refusal(SourceFormat::osm, write("laughs.osm", "<!DOCTYPE osm [<!ENTITY a 'ha'>]>\n<osm>&a;</osm>")),
               HasSubstr("laughs.osm:1: declares an entity"));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "source/limits.hpp"
 #include "source/source_error.hpp"
@@ -19,6 +20,9 @@ int line_at(const std::string& text, std::size_t byte) {
 struct TooMuch {
   const char* what;
 };
+
+// By the mark that it begins with.
+bool is_utf16(std::string_view text) { return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"); }
 
 Vec2 read_position(const json& j, const Source& source) {
   if (!j.is_array() || j.size() < 2 || !j[0].is_number() || !j[1].is_number()) {
@@ -82,7 +86,9 @@ json parse_json(const std::string& text, const std::string& file) {
   } catch (const TooMuch& too) {
     throw SourceError(Error{too.what, file, 0});
   } catch (const json::parse_error& e) {
-    throw SourceError(Error{"is not JSON: unexpected text here", file, line_at(text, e.byte)});
+    const bool encoded = std::string_view(e.what()).find("UTF-8") != std::string_view::npos || is_utf16(text);
+    const char* what = encoded ? "is not UTF-8 text: save the plan in UTF-8" : "is not JSON: unexpected text here";
+    throw SourceError(Error{what, file, line_at(text, e.byte)});
   } catch (const json::exception& e) {
     // A number out of double's range, such as 1e999, ends here.
     throw SourceError(Error{std::string("is not usable JSON: ") + e.what(), file, 0});
