@@ -8,7 +8,6 @@ import android.media.AudioManager
 import android.os.Build
 import android.os.Vibrator
 import androidx.core.content.ContextCompat
-import androidx.datastore.preferences.core.PreferenceDataStoreFactory
 import androidx.datastore.preferences.preferencesDataStoreFile
 import java.io.File
 import java.io.IOException
@@ -77,7 +76,7 @@ open class PhoneContainer(private val context: Context) : AppContainer {
     override val clock: Clock get() = Clock.SYSTEM
 
     override val settings: SettingsStore by lazy {
-        DataStoreSettings(PreferenceDataStoreFactory.create { context.preferencesDataStoreFile("settings") })
+        DataStoreSettings(DataStoreSettings.inFile { context.preferencesDataStoreFile("settings") })
     }
 
     override val buildings: BuildingLibrary by lazy { BuildingLibrary.on(context, BundledBuildings(context, versionCode())) }

@@ -1,7 +1,6 @@
 package org.echoway.app.settings
 
 import androidx.datastore.core.DataStore
-import androidx.datastore.preferences.core.PreferenceDataStoreFactory
 import androidx.datastore.preferences.core.Preferences
 import androidx.datastore.preferences.core.edit
 import androidx.datastore.preferences.core.stringPreferencesKey
@@ -29,12 +28,13 @@ import org.junit.runner.RunWith
 class DataStoreSettingsTest {
     @get:Rule val temporary = TemporaryFolder()
 
-    private val file by lazy { File(temporary.root, "settings.preferences_pb") }
+    private val folder by lazy { File(temporary.root, "kept") }
+    private val file by lazy { File(folder, "settings.preferences_pb") }
 
     /** As one life of the app's process has it. */
     private fun <T> alive(work: suspend (DataStoreSettings, DataStore<Preferences>) -> T): T = runBlocking {
         val job = Job()
-        val store = PreferenceDataStoreFactory.create(scope = CoroutineScope(Dispatchers.IO + job)) { file }
+        val store = DataStoreSettings.inFile(CoroutineScope(Dispatchers.IO + job)) { file }
         work(DataStoreSettings(store), store).also { job.cancelAndJoin() }
     }
 
@@ -60,6 +60,25 @@ class DataStoreSettingsTest {
         alive { _, store -> store.edit { it[stringPreferencesKey("theme")] = "SEPIA" } }
         alive { _, store -> store.edit { it[stringPreferencesKey("goal")] = "BALCONY 3 torgersen-lab" } }
         assertEquals(Settings(), alive { settings, _ -> settings.settings.first() })
+    }
+
+    @Test fun whatIsLeftOfAFileThatWasNotWrittenToItsEndIsNoReasonNotToBegin() {
+        folder.mkdirs()
+        file.writeBytes(byteArrayOf(0x0A, 0x7F, 0x01))
+        alive { settings, _ -> settings.update { it.copy(firefighter = true) } }
+        assertEquals(Settings(firefighter = true), alive { settings, _ -> settings.settings.first() })
+    }
+
+    /** Guidance notes down every minute that somebody walks. */
+    @Test fun whatAPhoneThatIsFullCannotKeepHoldsUntilTheAppEndsAndIsKeptOnceThereIsRoom() = alive { settings, _ ->
+        folder.writeText("where the folder should be")
+        settings.update { it.copy(navigating = true) }
+        settings.update { it.copy(walkedS = 60.0) }
+        assertEquals(Settings(navigating = true, walkedS = 60.0), settings.settings.first())
+        folder.delete()
+        settings.update { it.copy(walkedS = 120.0) }
+        assertEquals(Settings(navigating = true, walkedS = 120.0), settings.settings.first())
+        assertEquals(true, file.isFile)
     }
 
     @Test fun aChangeIsSeenAtOnce() = alive { settings, _ ->
