@@ -4,6 +4,8 @@ import android.content.Context
 import java.io.File
 import java.io.IOException
 import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.sync.Mutex
+import kotlinx.coroutines.sync.withLock
 import kotlinx.coroutines.withContext
 import org.echoway.core.CoreException
 import org.echoway.core.Plan
@@ -27,6 +29,7 @@ interface Buildings {
 /** Plans that came with the app, laid out as files once a version, because the core reads folders. */
 class BundledBuildings(private val context: Context, private val versionCode: Long) : Buildings {
     private val folder = File(context.filesDir, "buildings/bundled-$versionCode")
+    private val installing = Mutex()
 
     override suspend fun all(): List<InstalledBuilding> = withContext(Dispatchers.IO) {
         install()
@@ -45,9 +48,14 @@ class BundledBuildings(private val context: Context, private val versionCode: Lo
         null
     }
 
-    private fun install() {
-        if (folder.isDirectory) return
+    /** One at a time: a belt that is plugged in asks while the screen does. On a phone that is full there are none until it has room. */
+    private suspend fun install() = installing.withLock {
         val partial = File(folder.parentFile, "partial")
+        if (!folder.isDirectory) runCatching { layOut(partial) }.onFailure { if (it !is IOException) throw it }
+        partial.deleteRecursively()
+    }
+
+    private fun layOut(partial: File) {
         partial.deleteRecursively()
         // Android lists folders here; the host's tests list whole paths.
         val folders = context.assets.list("").orEmpty().map { it.substringBefore('/') }.distinct()
