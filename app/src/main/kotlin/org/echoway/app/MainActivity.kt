@@ -7,7 +7,6 @@ import android.hardware.usb.UsbManager
 import android.net.Uri
 import android.os.Build
 import android.os.Bundle
-import android.provider.OpenableColumns
 import android.view.KeyEvent
 import androidx.activity.ComponentActivity
 import androidx.activity.compose.setContent
@@ -18,7 +17,6 @@ import androidx.activity.viewModels
 import androidx.lifecycle.lifecycleScope
 import androidx.lifecycle.viewmodel.initializer
 import androidx.lifecycle.viewmodel.viewModelFactory
-import java.io.FileNotFoundException
 import kotlinx.coroutines.launch
 import org.echoway.app.control.VolumeChords
 import org.echoway.app.control.VolumeKey
@@ -96,13 +94,8 @@ class MainActivity : ComponentActivity() {
         if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.Q) add(Manifest.permission.ACTIVITY_RECOGNITION)
     }
 
-    private fun useRecording(uri: Uri) {
-        val name = contentResolver.query(uri, arrayOf(OpenableColumns.DISPLAY_NAME), null, null, null)
-            ?.use { if (it.moveToFirst()) it.getString(0) else null }
-        setup.useRecording(name ?: "walk.scans.csv") {
-            contentResolver.openInputStream(uri) ?: throw FileNotFoundException(uri.toString())
-        }
-    }
+    private fun useRecording(uri: Uri) =
+        setup.useRecording(nameOf(uri).ifEmpty { "walk.scans.csv" }) { contentResolver.openPicked(uri) }
 
     private companion object {
         val VOLUME_KEYS = mapOf(KeyEvent.KEYCODE_VOLUME_UP to VolumeKey.UP, KeyEvent.KEYCODE_VOLUME_DOWN to VolumeKey.DOWN)

@@ -4,8 +4,9 @@ import android.content.ContentResolver
 import android.net.Uri
 import android.provider.DocumentsContract
 import android.provider.DocumentsContract.Document
-import java.io.FileNotFoundException
 import java.io.InputStream
+import org.echoway.app.openPicked
+import org.echoway.app.provided
 
 /** The files below a folder that was picked with the system's picker. */
 class PickedFolder(private val resolver: ContentResolver, private val tree: Uri, private val limits: ImportLimits) : BuildingFiles {
@@ -30,7 +31,7 @@ class PickedFolder(private val resolver: ContentResolver, private val tree: Uri,
     private fun children(id: String): List<Child> {
         val uri = DocumentsContract.buildChildDocumentsUriUsingTree(tree, id)
         val columns = arrayOf(Document.COLUMN_DOCUMENT_ID, Document.COLUMN_DISPLAY_NAME, Document.COLUMN_MIME_TYPE)
-        val cursor = resolver.query(uri, columns, null, null, null) ?: throw ImportException(ImportProblem.UNREADABLE)
+        val cursor = provided { resolver.query(uri, columns, null, null, null) } ?: throw ImportException(ImportProblem.UNREADABLE)
         return cursor.use {
             buildList {
                 while (it.moveToNext() && size <= limits.files) {
@@ -40,7 +41,5 @@ class PickedFolder(private val resolver: ContentResolver, private val tree: Uri,
         }
     }
 
-    private fun open(id: String): InputStream = DocumentsContract.buildDocumentUriUsingTree(tree, id).let {
-        resolver.openInputStream(it) ?: throw FileNotFoundException(it.toString())
-    }
+    private fun open(id: String): InputStream = resolver.openPicked(DocumentsContract.buildDocumentUriUsingTree(tree, id))
 }

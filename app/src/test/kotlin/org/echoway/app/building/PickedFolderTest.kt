@@ -83,6 +83,15 @@ class PickedFolderTest {
         assertRefused(ImportProblem.UNREADABLE)
     }
 
+    @Test fun aProviderThatTakesItsLeaveBackIsTold() {
+        provider.failure = SecurityException("no leave any more")
+        assertRefused(ImportProblem.UNREADABLE)
+        provider.failure = null
+        provider.add("root", "building.cfg", twoRooms().first())
+        provider.openFailure = IllegalStateException("no connection")
+        assertRefused(ImportProblem.UNREADABLE)
+    }
+
     private companion object {
         const val AUTHORITY = "org.echoway.test.documents"
     }
@@ -93,6 +102,8 @@ private class FolderProvider : ContentProvider() {
     private class Entry(val id: String, val parent: String, val name: String, val file: File?)
 
     private val entries = mutableListOf<Entry>()
+    var failure: RuntimeException? = null
+    var openFailure: RuntimeException? = null
 
     fun add(parent: String, name: String, file: File?, id: String = "$parent/$name") {
         entries += Entry(id, parent, name, file)
@@ -101,6 +112,7 @@ private class FolderProvider : ContentProvider() {
     override fun onCreate() = true
 
     override fun query(uri: Uri, columns: Array<String>?, selection: String?, arguments: Array<String>?, order: String?): Cursor {
+        failure?.let { throw it }
         val parent = DocumentsContract.getDocumentId(uri)
         val rows = MatrixCursor(arrayOf(Document.COLUMN_DOCUMENT_ID, Document.COLUMN_DISPLAY_NAME, Document.COLUMN_MIME_TYPE))
         entries.filter { it.parent == parent }.forEach { rows.addRow(arrayOf(it.id, it.name, if (it.file == null) Document.MIME_TYPE_DIR else "text/plain")) }
@@ -108,6 +120,7 @@ private class FolderProvider : ContentProvider() {
     }
 
     override fun openFile(uri: Uri, mode: String): ParcelFileDescriptor {
+        openFailure?.let { throw it }
         val id = DocumentsContract.getDocumentId(uri)
         return ParcelFileDescriptor.open(entries.first { it.id == id }.file!!, ParcelFileDescriptor.MODE_READ_ONLY)
     }

@@ -1,9 +1,6 @@
 package org.echoway.app.ui.buildings
 
-import android.content.Context
-import android.net.Uri
 import android.provider.DocumentsContract
-import android.provider.OpenableColumns
 import androidx.activity.compose.rememberLauncherForActivityResult
 import androidx.activity.result.contract.ActivityResultContracts.OpenDocument
 import androidx.activity.result.contract.ActivityResultContracts.OpenDocumentTree
@@ -13,10 +10,11 @@ import androidx.lifecycle.compose.collectAsStateWithLifecycle
 import androidx.lifecycle.viewmodel.compose.viewModel
 import androidx.navigation.NavGraphBuilder
 import androidx.navigation.compose.composable
-import java.io.FileNotFoundException
 import org.echoway.app.AppContainer
 import org.echoway.app.building.ImportLimits
 import org.echoway.app.building.PickedFolder
+import org.echoway.app.nameOf
+import org.echoway.app.openPicked
 import org.echoway.app.ui.Route
 
 /** The buildings screen with the system's pickers. */
@@ -27,9 +25,7 @@ fun NavGraphBuilder.buildings(container: AppContainer, open: (Route) -> Unit, ba
         val state by model.uiState.collectAsStateWithLifecycle()
         val zip = rememberLauncherForActivityResult(OpenDocument()) { uri ->
             uri?.let { picked ->
-                model.importZip(context.nameOf(picked)) {
-                    context.contentResolver.openInputStream(picked) ?: throw FileNotFoundException(picked.toString())
-                }
+                model.importZip(context.nameOf(picked)) { context.contentResolver.openPicked(picked) }
             }
         }
         val folder = rememberLauncherForActivityResult(OpenDocumentTree()) { uri ->
@@ -53,12 +49,6 @@ fun NavGraphBuilder.buildings(container: AppContainer, open: (Route) -> Unit, ba
         )
     }
 }
-
-/** What its provider calls a document. */
-internal fun Context.nameOf(uri: Uri): String =
-    runCatching { contentResolver.query(uri, arrayOf(OpenableColumns.DISPLAY_NAME), null, null, null) }.getOrNull()
-        ?.use { if (it.moveToFirst()) it.getString(0) else null }
-        .orEmpty()
 
 /** Providers disagree on what a zip archive is. */
 private val ZIP_TYPES = arrayOf("application/zip", "application/x-zip-compressed", "application/octet-stream")
