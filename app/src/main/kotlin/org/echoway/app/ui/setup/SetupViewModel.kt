@@ -51,11 +51,27 @@ class SetupViewModel(private val container: AppContainer) : ViewModel() {
 
     private fun keep(file: File, open: () -> InputStream) {
         val partial = File(container.cacheDir, "picked")
-        open().use { from -> partial.outputStream().use { from.copyTo(it) } }
-        WalkLog.read(partial.bufferedReader())
-        container.recordings.folder.mkdirs()
-        partial.copyTo(file, overwrite = true)
-        partial.delete()
+        try {
+            open().use { copy(it, partial) }
+            WalkLog.read(partial.bufferedReader())
+            container.recordings.folder.mkdirs()
+            partial.copyTo(file, overwrite = true)
+        } finally {
+            partial.delete()
+        }
+    }
+
+    /** Whatever was picked, it must not fill the phone. */
+    private fun copy(from: InputStream, to: File) = to.outputStream().use { out ->
+        val buffer = ByteArray(BUFFER_BYTES)
+        var total = 0L
+        while (true) {
+            val read = from.read(buffer)
+            if (read < 0) break
+            total += read
+            if (total > MOST_BYTES) throw IOException("larger than any recorded walk")
+            out.write(buffer, 0, read)
+        }
     }
 
     private fun update(change: (Settings) -> Settings) {
@@ -85,5 +101,11 @@ class SetupViewModel(private val container: AppContainer) : ViewModel() {
         SourceKind.USB -> true
         SourceKind.SIMULATED_WALK -> building != null && container.hasSimulatedWalk(building.id)
         SourceKind.RECORDING -> settings.recording != null
+    }
+
+    private companion object {
+        /** A day of walking. */
+        const val MOST_BYTES = 32L shl 20
+        const val BUFFER_BYTES = 1 shl 14
     }
 }
