@@ -72,6 +72,10 @@ class MainActivity : ComponentActivity() {
         chords.loneKeysAsk = firefighter && container.navigator.state.value is NavigationState.Running
         val key = VOLUME_KEYS[event.keyCode]?.takeIf { (chords.chordsAsk || chords.loneKeysAsk) && event.action in KEY_ACTIONS }
             ?: return super.dispatchKeyEvent(event)
+        if (event.isCanceled) {
+            chords.onTakenBack(key)
+            return super.dispatchKeyEvent(event)
+        }
         return chords.onKey(key, event.action == KeyEvent.ACTION_DOWN, event.eventTime) || super.dispatchKeyEvent(event)
     }
 

@@ -36,6 +36,13 @@ class VolumeChords(private val asking: Asking) {
         return taken || loneKeysAsk
     }
 
+    /** A key that Android takes back (a call came over it, it was half of a screenshot) was let go by nobody, and asks nothing. */
+    fun onTakenBack(key: VolumeKey) {
+        down.remove(key)
+        chorded = down.isNotEmpty()
+        chordAtMs = null
+    }
+
     private fun letGo(key: VolumeKey, timeMs: Long): Boolean {
         val lone = down.remove(key) && !chorded
         chorded = chorded && down.isNotEmpty()

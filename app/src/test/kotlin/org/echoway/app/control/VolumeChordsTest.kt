@@ -110,6 +110,20 @@ class VolumeChordsTest {
         assertEquals("the phone's own shortcut", 2, asked.size)
     }
 
+    @Test fun aKeyThatIsTakenBackAsksNothing() {
+        chords.loneKeysAsk = true
+        chords.onKey(DOWN, true, now)
+        chords.onTakenBack(DOWN)
+        chords.onKey(UP, true, now)
+        chords.onKey(DOWN, true, now + 80)
+        chords.onTakenBack(UP)
+        chords.onTakenBack(DOWN)
+        assertEquals(emptyList<Ask>(), asked)
+        now += 1_000
+        pressed(UP)
+        assertEquals(listOf(Ask.WHERE_AM_I), asked)
+    }
+
     @Test fun afterAChordOneKeyIsTheVolumesAgain() {
         chord(UP, 150)
         assertFalse(chords.onKey(DOWN, true, now))
