@@ -112,15 +112,20 @@ void Hindrances::look_round(RoomIndex room, double time_s, Vec2 from) {
   }
 }
 
-/// A place on the straight line to `to`, which is too far away to be searched for, where no thing is.
-Vec2 Hindrances::part_of_the_way(Vec2 from, Vec2 to) const {
-  const Vec2 unit = (1.0 / distance(from, to)) * (to - from);
-  const auto taken = [&](double on) {
-    return std::any_of(near_.begin(), near_.end(), [&](Vec2 p) { return distance(from + on * unit, p) < kMatters; });
-  };
-  double on = 0.9 * Detour::kReach;
-  while (on > 1.0 && taken(on)) on -= 0.2;
-  return from + on * unit;
+bool Hindrances::is_taken(Vec2 at) const {
+  return std::any_of(near_.begin(), near_.end(), [&](Vec2 p) { return distance(at, p) < kMatters; });
+}
+
+/// The farthest place on `leg`, which ends too far away to be searched for, that is near enough to `from` and where no thing
+/// is; its beginning where there is none.
+Vec2 Hindrances::part_of_the_way(Vec2 from, const Segment& leg) const {
+  constexpr double kStep = 0.2;
+  constexpr double kFar = 0.9 * Detour::kReach;
+  const Vec2 unit = (1.0 / distance(leg.a, leg.b)) * (leg.b - leg.a);
+  const double least = leg.a == from ? 1.0 : 0.0;
+  double on = kFar;
+  while (on > least && (distance(from, leg.a + on * unit) > kFar + 1e-6 || is_taken(leg.a + on * unit))) on -= kStep;
+  return leg.a + std::max(on, least) * unit;
 }
 
 /// How near the way that is kept comes to things, the wearer's own place left out.
@@ -141,13 +146,15 @@ void Hindrances::bend(const FreeSpace& space, RoomIndex room, double time_s, std
   const Vec2 from = line.front().at;
   look_round(room, time_s, from);
   if (near_.empty() || line.size() < 2) return;
-  // The last corner of the line in this room that is near enough, else a part of the way to the first.
+  // To the last corner of the line in this room that is near enough, and on from there as far as can be searched: the corner
+  // itself may lie in a thing.
   const auto in_reach = [&](Vec2 at) { return std::max(std::abs(at.x - from.x), std::abs(at.y - from.y)) < Detour::kReach; };
-  std::size_t last = 1;
-  while (last + 1 < line.size() && line[last].kind == WaypointKind::turn && in_reach(line[last + 1].at)) ++last;
-  if (!stands_near(line, last)) return;
-  const bool whole = in_reach(line[last].at);
-  const Vec2 to = whole ? line[last].at : part_of_the_way(from, line[last].at);
+  const auto goes_on = [&](std::size_t i) { return i + 1 < line.size() && (i == 0 || line[i].kind == WaypointKind::turn); };
+  std::size_t last = 0;
+  while (goes_on(last) && in_reach(line[last + 1].at)) ++last;
+  const bool whole = !goes_on(last);
+  if (!stands_near(line, whole ? last : last + 1)) return;
+  const Vec2 to = whole ? line[last].at : part_of_the_way(from, {line[last].at, line[last + 1].at});
   if (!detour_.find(space, room, near_, from, to, found_)) {
     near_.clear();
     return;
@@ -159,7 +166,7 @@ void Hindrances::bend(const FreeSpace& space, RoomIndex room, double time_s, std
   bent_.push_back(line.front());
   for (std::size_t i = 1; i + 1 < kept_.size(); ++i) bent_.push_back({kept_[i], WaypointKind::turn, -1});
   if (!whole) bent_.push_back({to, WaypointKind::turn, -1});
-  bent_.insert(bent_.end(), line.begin() + static_cast<std::ptrdiff_t>(last), line.end());
+  bent_.insert(bent_.end(), line.begin() + static_cast<std::ptrdiff_t>(whole ? last : last + 1), line.end());
   line.swap(bent_);
 }
 

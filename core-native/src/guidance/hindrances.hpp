@@ -48,7 +48,8 @@ class Hindrances {
   [[nodiscard]] bool stands_near(std::span<const LinePoint> line, std::size_t last) const noexcept;
   void look_round(RoomIndex room, double time_s, Vec2 from);
   [[nodiscard]] bool still_good(Vec2 from, Vec2 to);
-  [[nodiscard]] Vec2 part_of_the_way(Vec2 from, Vec2 to) const;
+  [[nodiscard]] bool is_taken(Vec2 at) const;
+  [[nodiscard]] Vec2 part_of_the_way(Vec2 from, const Segment& leg) const;
   [[nodiscard]] double nearest_to_way() const;
 
   const GuideConfig* config_;

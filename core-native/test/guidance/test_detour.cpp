@@ -85,5 +85,21 @@ TEST_F(DetourTest, IsKeptWhileAnotherWayIsHardlyBetter) {
   EXPECT_GT(side({1.2, 3.0 + across}, 1.0) * first, 0.0);
 }
 
+TEST_F(DetourTest, LeadsRoundAThingInWhichACornerOfTheWayLies) {
+  const GuideConfig config;
+  Hindrances hindrances(config);
+  std::vector<Vec2> thing;  // two metres broad, with more room to its left than to its right
+  for (double x = 2.0; x < 4.0; x += 0.15) thing.push_back({x, 2.0});
+  for (const Vec2 at : thing) hindrances.hear(0, at, 0.0);
+  std::vector<LinePoint> line{
+      {{2.6, 1.2}, WaypointKind::start, -1}, {{2.8, 2.0}, WaypointKind::turn, -1}, {{2.4, 5.5}, WaypointKind::goal, -1}};
+  hindrances.bend(space, 0, 0.0, line);
+  std::vector<Vec2> led;
+  for (const LinePoint& p : line) led.push_back(p.at);
+  EXPECT_GT(nearest(led, thing), 0.4);
+  EXPECT_LT(length(led), 6.0);
+  EXPECT_EQ(line.back().kind, WaypointKind::goal);
+}
+
 }  // namespace
 }  // namespace echoway::guidance
