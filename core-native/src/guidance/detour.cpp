@@ -23,6 +23,8 @@ struct Step {
 constexpr std::array<Step, 3> kByWalls{{{0.25, 3.0}, {0.35, 1.6}, {0.45, 1.2}}};
 constexpr std::array<Step, 5> kByThings{{{0.2, 30.0}, {0.3, 8.0}, {0.4, 3.0}, {0.55, 1.6}, {0.8, 1.15}}};
 constexpr double kWidest = 0.8;
+/// Who passes a point this near is stopped by it, metres.
+constexpr double kBody = 0.3;
 
 /// Calls `visit(cell, dx, dy)` for the cells of a square field of `side` that lie at most `around` cells from `middle`.
 template <class Visit>
@@ -84,17 +86,18 @@ void Detour::look_at_walls(const FreeSpace& space, RoomIndex room, Vec2 from) {
   }
 }
 
-void Detour::look_at_things(std::span<const Vec2> things) {
+void Detour::look_at_things(std::span<const ThingPoint> things) {
   effort_ = walls_;
   constexpr auto kAround = static_cast<std::int32_t>(kWidest / kCell) + 1;
   // The nearest thing counts: the dearest factor of all.
-  for (const Vec2 at : things) {
-    const std::int32_t middle = cell_of(at);
+  for (const ThingPoint& thing : things) {
+    const std::int32_t middle = cell_of(thing.at);
     if (middle < 0) continue;
     for_each_near(middle, kAround, kSide, [&](std::int32_t near, std::int32_t, std::int32_t) {
       const auto cell = static_cast<std::size_t>(near);
       if (!(walls_[cell] < kNever)) return;
-      const double f = factor(kByThings, distance(middle_of(near), at));
+      const double apart = distance(middle_of(near), thing.at);
+      const double f = factor(kByThings, apart) * (apart < kBody ? thing.met : 1);
       effort_[cell] = std::max(effort_[cell], static_cast<float>(f * walls_[cell]));
     });
   }
@@ -184,7 +187,7 @@ void Detour::straighten(Vec2 from, Vec2 to, std::vector<Vec2>& way) {
   }
 }
 
-bool Detour::find(const FreeSpace& space, RoomIndex room, std::span<const Vec2> things, Vec2 from, Vec2 to,
+bool Detour::find(const FreeSpace& space, RoomIndex room, std::span<const ThingPoint> things, Vec2 from, Vec2 to,
                   std::vector<Vec2>& way) {
   look_at_walls(space, room, from);
   look_at_things(things);

@@ -9,8 +9,15 @@
 
 namespace echoway::guidance {
 
+/// A point of a thing that no plan knows.
+struct ThingPoint {
+  Vec2 at{};
+  int met = 1;  ///< How often a wearer was stopped about here, or 1 if only echoes tell of it.
+};
+
 /// The easiest way round things of which only some points are known. Nearness to a point costs more the nearer it is and
-/// never everything: what is known of things is vague, and the only way may lead close past them. Walls are solid.
+/// never everything: what is known of things is vague, and the only way may lead close past them. Where somebody was stopped
+/// again it costs more each time: whatever stands there, another way has to be tried. Walls are solid.
 ///
 /// A search over cells of 0.1 m within 4 m (Dijkstra), straightened. Allocates only when it is made.
 class Detour {
@@ -18,7 +25,7 @@ class Detour {
   Detour();
 
   /// Fills `way` with the corners from `from` to `to`, both included. False when walls leave no way.
-  [[nodiscard]] bool find(const FreeSpace& space, RoomIndex room, std::span<const Vec2> things, Vec2 from, Vec2 to,
+  [[nodiscard]] bool find(const FreeSpace& space, RoomIndex room, std::span<const ThingPoint> things, Vec2 from, Vec2 to,
                           std::vector<Vec2>& way);
   /// What it costs to go straight along `way`, metres; infinite through a wall. Of the last find()'s surroundings.
   [[nodiscard]] double cost(std::span<const Vec2> way) const noexcept;
@@ -32,7 +39,7 @@ class Detour {
   static constexpr std::int32_t kCells = kSide * kSide;
 
   void look_at_walls(const FreeSpace& space, RoomIndex room, Vec2 from);
-  void look_at_things(std::span<const Vec2> things);
+  void look_at_things(std::span<const ThingPoint> things);
   void open_ends(const FreeSpace& space, Vec2 from, Vec2 to);
   [[nodiscard]] bool search(std::int32_t from, std::int32_t to);
   void straighten(Vec2 from, Vec2 to, std::vector<Vec2>& way);

@@ -32,7 +32,7 @@ void Hindrances::clear() noexcept {
 }
 
 bool Hindrances::counts(const Point& point, RoomIndex room, double time_s) noexcept {
-  return point.room == room && time_s - point.seen_s <= (point.touched ? kTouchLasts : kRemembered);
+  return point.room == room && time_s - point.seen_s <= (point.met > 0 ? kTouchLasts : kRemembered);
 }
 
 void Hindrances::add(const Point& point) noexcept {
@@ -42,7 +42,7 @@ void Hindrances::add(const Point& point) noexcept {
     if (known.room == point.room && distance(known.at, point.at) < kSame) {
       known.at = known.at + 0.3 * (point.at - known.at);
       known.seen_s = point.seen_s;
-      known.touched = known.touched || point.touched;
+      known.met = std::max(known.met, point.met);
       return;
     }
     if (oldest == nullptr || known.seen_s < oldest->seen_s) oldest = &known;
@@ -53,10 +53,20 @@ void Hindrances::add(const Point& point) noexcept {
 
 void Hindrances::touch(RoomIndex room, const Pose2& pose, double ahead, double time_s) noexcept {
   const Vec2 forward = unit_from_angle(pose.heading);
-  for (const double side : {0.0, -kTouchBreadth, kTouchBreadth}) {
-    add({room, pose.position + ahead * forward + side * perpendicular(forward), time_s, true});
-  }
+  const Vec2 before = pose.position + ahead * forward;
+  const int met = 1 + times_met(room, before, time_s);
+  for (const double side : {0.0, -kTouchBreadth, kTouchBreadth}) add({room, before + side * perpendicular(forward), time_s, met});
   kept_.clear();  // the way that led here was wrong
+}
+
+/// How often the wearer has been stopped about there.
+int Hindrances::times_met(RoomIndex room, Vec2 at, double time_s) const noexcept {
+  constexpr double kAbout = 0.25;  // metres
+  int most = 0;
+  for (std::size_t i = 0; i < size_; ++i) {
+    if (counts(points_[i], room, time_s) && distance(points_[i].at, at) < kAbout) most = std::max(most, points_[i].met);
+  }
+  return most;
 }
 
 double Hindrances::reach(RoomIndex room, double time_s, Vec2 from, Vec2 unit, double limit) const noexcept {
@@ -72,17 +82,18 @@ double Hindrances::reach(RoomIndex room, double time_s, Vec2 from, Vec2 unit, do
 }
 
 bool Hindrances::stands_on(const Segment& way, double radius) const noexcept {
-  return std::any_of(near_.begin(), near_.end(), [&](Vec2 at) {
-    const double apart = distance(way, at);
+  return std::any_of(near_.begin(), near_.end(), [&](const ThingPoint& thing) {
+    const double apart = distance(way, thing.at);
     // Whoever stands too near already may go away from it.
-    return apart < radius && apart < distance(way.a, at) - 1e-6;
+    return apart < radius && apart < distance(way.a, thing.at) - 1e-6;
   });
 }
 
 bool Hindrances::stands_near(std::span<const LinePoint> line, std::size_t last) const noexcept {
   for (std::size_t i = 1; i <= last; ++i) {
     const Segment leg{line[i - 1].at, line[i].at};
-    if (std::any_of(near_.begin(), near_.end(), [&](Vec2 at) { return distance(leg, at) < kMatters; })) return true;
+    const auto matters = [&](const ThingPoint& thing) { return distance(leg, thing.at) < kMatters; };
+    if (std::any_of(near_.begin(), near_.end(), matters)) return true;
   }
   return false;
 }
@@ -108,12 +119,14 @@ void Hindrances::look_round(RoomIndex room, double time_s, Vec2 from) {
   near_.clear();
   kept_m_ = 0.0;
   for (std::size_t i = 0; i < size_; ++i) {
-    if (counts(points_[i], room, time_s) && distance(points_[i].at, from) < Detour::kReach) near_.push_back(points_[i].at);
+    const Point& point = points_[i];
+    if (!counts(point, room, time_s) || distance(point.at, from) >= Detour::kReach) continue;
+    near_.push_back({point.at, std::max(1, point.met)});
   }
 }
 
 bool Hindrances::is_taken(Vec2 at) const {
-  return std::any_of(near_.begin(), near_.end(), [&](Vec2 p) { return distance(at, p) < kMatters; });
+  return std::any_of(near_.begin(), near_.end(), [&](const ThingPoint& t) { return distance(at, t.at) < kMatters; });
 }
 
 /// The farthest place on `leg`, which ends too far away to be searched for, that is near enough to `from` and where no thing
@@ -133,9 +146,9 @@ double Hindrances::nearest_to_way() const {
   double nearest = kMatters;
   for (std::size_t i = 1; i < kept_.size(); ++i) {
     const Segment leg{kept_[i - 1], kept_[i]};
-    for (const Vec2 at : near_) {
-      const double apart = distance(leg, at);
-      if (apart < distance(kept_.front(), at) - 1e-6) nearest = std::min(nearest, apart);
+    for (const ThingPoint& thing : near_) {
+      const double apart = distance(leg, thing.at);
+      if (apart < distance(kept_.front(), thing.at) - 1e-6) nearest = std::min(nearest, apart);
     }
   }
   return nearest;

@@ -18,7 +18,7 @@ class Hindrances {
   explicit Hindrances(const GuideConfig& config);
 
   /// An echo of something came from `at` at `time_s`. What is close to a known point renews it.
-  void hear(RoomIndex room, Vec2 at, double time_s) noexcept { add({room, at, time_s, false}); }
+  void hear(RoomIndex room, Vec2 at, double time_s) noexcept { add({room, at, time_s, 0}); }
   /// The wearer, who stands at `pose`, has met something `ahead` metres before their middle.
   void touch(RoomIndex room, const Pose2& pose, double ahead, double time_s) noexcept;
   void clear() noexcept;
@@ -38,11 +38,12 @@ class Hindrances {
     RoomIndex room = kNoRoom;
     Vec2 at{};
     double seen_s = -1e300;
-    bool touched = false;
+    int met = 0;  ///< How often the wearer was stopped about here; 0: only heard.
   };
   static constexpr std::size_t kMost = 128;
 
   void add(const Point& point) noexcept;
+  [[nodiscard]] int times_met(RoomIndex room, Vec2 at, double time_s) const noexcept;
   [[nodiscard]] static bool counts(const Point& point, RoomIndex room, double time_s) noexcept;
   [[nodiscard]] bool stands_on(const Segment& way, double radius) const noexcept;
   [[nodiscard]] bool stands_near(std::span<const LinePoint> line, std::size_t last) const noexcept;
@@ -59,7 +60,7 @@ class Hindrances {
   RoomIndex room_ = kNoRoom;      ///< Of the way that was found last.
   std::vector<Vec2> kept_;        ///< That way, from where the wearer is now.
   std::vector<Vec2> found_;
-  std::vector<Vec2> near_;        ///< Points that count here,
+  std::vector<ThingPoint> near_;  ///< Points that count here,
   double kept_m_ = 0.0;           ///< and how far the line keeps from them.
   std::vector<LinePoint> bent_;
 };

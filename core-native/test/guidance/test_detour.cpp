@@ -27,6 +27,12 @@ double nearest(const std::vector<Vec2>& way, const std::vector<Vec2>& things) {
   return best;
 }
 
+std::vector<ThingPoint> heard(const std::vector<Vec2>& things) {
+  std::vector<ThingPoint> points;
+  for (const Vec2 at : things) points.push_back({at});
+  return points;
+}
+
 class DetourTest : public ::testing::Test {
  protected:
   Building hall = test::make_grid(1, 1, 6.0);
@@ -43,7 +49,7 @@ TEST_F(DetourTest, GoesStraightWhereNothingStands) {
 
 TEST_F(DetourTest, KeepsClearOfAThingByASmallDetour) {
   const std::vector<Vec2> things{{2.8, 3.0}};
-  ASSERT_TRUE(detour.find(space, 0, things, {1, 3}, {4.5, 3}, way));
+  ASSERT_TRUE(detour.find(space, 0, heard(things), {1, 3}, {4.5, 3}, way));
   EXPECT_GT(nearest(way, things), 0.45);
   EXPECT_LT(length(way), 4.2);
 }
@@ -55,14 +61,14 @@ TEST_F(DetourTest, TakesTheWideGapAndNotTheNarrowOne) {
     const bool wide = std::abs(y - 4.8) < 0.8;
     if (!narrow && !wide) things.push_back({2.8, y});
   }
-  ASSERT_TRUE(detour.find(space, 0, things, {1, 3}, {4.5, 3}, way));
+  ASSERT_TRUE(detour.find(space, 0, heard(things), {1, 3}, {4.5, 3}, way));
   EXPECT_GT(nearest(way, things), 0.5);
 }
 
 TEST_F(DetourTest, FeelsItsWayThroughWhatIsOnlyHeardAndNeverThroughAWall) {
   std::vector<Vec2> things;
   for (double y = 0.1; y < 6.0; y += 0.1) things.push_back({2.8, y});
-  EXPECT_TRUE(detour.find(space, 0, things, {1, 3}, {4.5, 3}, way)) << "echoes may err";
+  EXPECT_TRUE(detour.find(space, 0, heard(things), {1, 3}, {4.5, 3}, way)) << "echoes may err";
   hall.rooms[0].walls.push_back({{2.8, 0.0}, {2.8, 6.0}});
   const Router walled(hall);
   Detour other;
@@ -83,6 +89,25 @@ TEST_F(DetourTest, IsKeptWhileAnotherWayIsHardlyBetter) {
   // The wearer drifts a little to the other side, where a way round would be a little shorter.
   const double across = first > 0.0 ? -0.12 : 0.12;
   EXPECT_GT(side({1.2, 3.0 + across}, 1.0) * first, 0.0);
+}
+
+TEST_F(DetourTest, WhoIsStoppedAgainAndAgainAtOnePlaceIsLedPastItElsewhere) {
+  const GuideConfig config;
+  Hindrances hindrances(config);
+  for (double y = 0.2; y < 5.9; y += 0.3) hindrances.hear(0, {2.8, y}, 0.0);  // all across, as far as is known
+  const Pose2 before{{2.4, 3.0}, 0.0};
+  // How far beside the place where they were stopped the way leads on.
+  const auto beside = [&] {
+    std::vector<LinePoint> line{{before.position, WaypointKind::start, -1}, {{4.5, 3.0}, WaypointKind::goal, -1}};
+    hindrances.bend(space, 0, 1.0, line);
+    double most = 0.0;
+    for (const LinePoint& p : line) most = std::max(most, std::abs(p.at.y - before.position.y));
+    return most;
+  };
+  hindrances.touch(0, before, 0.35, 1.0);
+  EXPECT_LT(beside(), 0.45) << "by touch, where a gap may be";
+  for (int again = 0; again < 3; ++again) hindrances.touch(0, before, 0.35, 1.0);
+  EXPECT_GT(beside(), 0.45);
 }
 
 TEST_F(DetourTest, LeadsRoundAThingInWhichACornerOfTheWayLies) {
