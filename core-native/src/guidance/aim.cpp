@@ -77,6 +77,7 @@ Vec2 Aim::settle(const Estimate& e, const Choice& choice) {
   if (slanting_ || (choice.beyond && !choice.through)) {
     if (const auto door = doorway(e.room); door && way_->line().size() >= 2) slant = door->slant(e.pose, e.sigma_m, slanting_);
   }
+  if (slant && way_->hindrances().hinders({e.pose.position, *slant})) slant.reset();
   slanting_ = slant.has_value();
   const bool keeps = !slanting_ && still_keeps(e);
   through_ = choice.through;

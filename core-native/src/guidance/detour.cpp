@@ -166,7 +166,8 @@ double Detour::cost(std::span<const Vec2> way) const noexcept {
   return sum;
 }
 
-/// Corners only where going straight would cost more.
+/// Corners only where going straight would cost more. Past a wall's corner, where a step costs without end here, the way is too
+/// tight to be told turn by turn: from there it goes straight, by touch.
 void Detour::straighten(Vec2 from, Vec2 to, std::vector<Vec2>& way) {
   path_.clear();
   for (std::int32_t cell = cell_of(to); cell >= 0; cell = before_[static_cast<std::size_t>(cell)]) path_.push_back(middle_of(cell));

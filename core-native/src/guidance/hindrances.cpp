@@ -51,12 +51,20 @@ void Hindrances::add(const Point& point) noexcept {
   *oldest = point;
 }
 
+void Hindrances::add_broad(RoomIndex room, Vec2 at, Vec2 forward, double time_s, int met) noexcept {
+  for (const double side : {0.0, -kTouchBreadth, kTouchBreadth}) add({room, at + side * perpendicular(forward), time_s, met});
+  kept_.clear();  // the way that led here was wrong
+}
+
 void Hindrances::touch(RoomIndex room, const Pose2& pose, double ahead, double time_s) noexcept {
   const Vec2 forward = unit_from_angle(pose.heading);
-  const Vec2 before = pose.position + ahead * forward;
-  const int met = 1 + times_met(room, before, time_s);
-  for (const double side : {0.0, -kTouchBreadth, kTouchBreadth}) add({room, before + side * perpendicular(forward), time_s, met});
-  kept_.clear();  // the way that led here was wrong
+  const Vec2 at = pose.position + ahead * forward;
+  add_broad(room, at, forward, time_s, 1 + times_met(room, at, time_s));
+}
+
+void Hindrances::stand_before(RoomIndex room, const Pose2& pose, double ahead, double time_s) noexcept {
+  const Vec2 forward = unit_from_angle(pose.heading);
+  add_broad(room, pose.position + ahead * forward, forward, time_s, 1);
 }
 
 /// How often the wearer has been stopped about there.

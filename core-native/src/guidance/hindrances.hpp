@@ -21,6 +21,8 @@ class Hindrances {
   void hear(RoomIndex room, Vec2 at, double time_s) noexcept { add({room, at, time_s, 0}); }
   /// The wearer, who stands at `pose`, has met something `ahead` metres before their middle.
   void touch(RoomIndex room, const Pose2& pose, double ahead, double time_s) noexcept;
+  /// The wearer, who stands at `pose`, hears something as near as that.
+  void stand_before(RoomIndex room, const Pose2& pose, double ahead, double time_s) noexcept;
   void clear() noexcept;
 
   /// How far it is from `from` along `unit` to the first of them, at most `limit`.
@@ -43,6 +45,7 @@ class Hindrances {
   static constexpr std::size_t kMost = 128;
 
   void add(const Point& point) noexcept;
+  void add_broad(RoomIndex room, Vec2 at, Vec2 forward, double time_s, int met) noexcept;
   [[nodiscard]] int times_met(RoomIndex room, Vec2 at, double time_s) const noexcept;
   [[nodiscard]] static bool counts(const Point& point, RoomIndex room, double time_s) noexcept;
   [[nodiscard]] bool stands_on(const Segment& way, double radius) const noexcept;

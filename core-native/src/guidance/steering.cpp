@@ -197,7 +197,7 @@ bool Steering::hears_wall(const View& view, double direction) {
   const auto wall = heard_->wall(direction, view.now);
   if (!wall || *wall >= kFree) return false;
   const Pose2& pose = view.estimate->pose;
-  way_->hindrances().touch(view.estimate->room, {pose.position, wrap_angle(pose.heading + direction)}, *wall, view.now);
+  way_->hindrances().stand_before(view.estimate->room, {pose.position, wrap_angle(pose.heading + direction)}, *wall, view.now);
   return true;
 }
 

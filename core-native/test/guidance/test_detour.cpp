@@ -106,6 +106,8 @@ TEST_F(DetourTest, WhoIsStoppedAgainAndAgainAtOnePlaceIsLedPastItElsewhere) {
   };
   hindrances.touch(0, before, 0.35, 1.0);
   EXPECT_LT(beside(), 0.45) << "by touch, where a gap may be";
+  for (int again = 0; again < 20; ++again) hindrances.stand_before(0, before, 0.35, 1.0);
+  EXPECT_LT(beside(), 0.45) << "who stands and hears it has not been stopped again";
   for (int again = 0; again < 3; ++again) hindrances.touch(0, before, 0.35, 1.0);
   EXPECT_GT(beside(), 0.45);
 }
