@@ -22,6 +22,8 @@ import kotlinx.coroutines.flow.filterIsInstance
 import kotlinx.coroutines.flow.first
 import kotlinx.coroutines.flow.map
 import kotlinx.coroutines.launch
+import kotlinx.coroutines.sync.Mutex
+import kotlinx.coroutines.sync.withLock
 import org.echoway.app.building.startAt
 import org.echoway.app.container
 import org.echoway.app.control.MediaControls
@@ -46,6 +48,7 @@ class NavigationService : LifecycleService() {
     private lateinit var notification: NavigationNotification
     private lateinit var wakeLock: IdleWakeLock
     private var navigation: Job? = null
+    private val takingOver = Mutex()
 
     override fun onCreate() {
         super.onCreate()
@@ -81,9 +84,11 @@ class NavigationService : LifecycleService() {
         container.settings.update { it.copy(navigating = true) }
         // A walk that was under way a moment ago goes on for who begins by hand as well, where Android did not.
         val interrupted = restored || navigation == null && settings.navigating && walkedJustNow(settings)
-        // Two at once would share the core and the buttons.
-        navigation?.cancelAndJoin()
-        navigation = lifecycleScope.launch { navigate(settings, interrupted) }
+        // Two at once would share the core and the buttons. Who begins meanwhile takes over from the one that has just begun.
+        takingOver.withLock {
+            navigation?.cancelAndJoin()
+            navigation = lifecycleScope.launch { navigate(settings, interrupted) }
+        }
     }
 
     private fun walkedJustNow(settings: Settings) = settings.walkedS?.let { container.clock.nowS() - it in 0.0..JUST_NOW_S } == true

@@ -9,9 +9,12 @@ import android.widget.FrameLayout
 import androidx.test.core.app.ApplicationProvider
 import androidx.test.ext.junit.runners.AndroidJUnit4
 import java.util.concurrent.TimeUnit
+import kotlinx.coroutines.awaitCancellation
+import kotlinx.coroutines.flow.flow
 import kotlinx.coroutines.runBlocking
 import org.echoway.app.R
 import org.echoway.app.belt.BeltEvent
+import org.echoway.app.belt.BeltSource
 import org.echoway.app.belt.WireSentence
 import org.echoway.app.engine.Line
 import org.echoway.app.engine.NavigationState
@@ -183,6 +186,28 @@ class NavigationServiceTest {
         settle(6_000)
         assertEquals("whoever asks hears why no way is told yet", "Belt disconnected.", container.voice.words.last())
         assertEquals(Wish.LeadTo(Destination.WAY_OUT), awaitRunning().leading)
+    }
+
+    /** "Replay" pressed twice while guidance is on. */
+    @Test fun startedTwiceAtOnceWhileItRunsThereIsStillOneGuidance() {
+        val service = command(NavigationService.ACTION_START).get()
+        awaitRunning()
+        var listeners = 0
+        container.otherBelt = object : BeltSource {
+            override val bringsMotion = true
+            override val events = flow<BeltEvent> {
+                listeners++
+                try {
+                    awaitCancellation()
+                } finally {
+                    listeners--
+                }
+            }
+        }
+        repeat(2) { service.onStartCommand(NavigationService.intent(app, NavigationService.ACTION_START), 0, 1) }
+        settle(2_000)
+        awaitRunning()
+        assertEquals(1, listeners)
     }
 
     @Test fun startedAgainItTakesOverFromItself() {

@@ -53,7 +53,10 @@ class TestContainer(context: Context) : AppContainer {
     override val cacheDir: File = context.cacheDir
     var belt = ScriptedBelt(bringsMotion = false)
 
+    /** In place of [belt]. */
+    var otherBelt: BeltSource? = null
+
     override fun hasSimulatedWalk(building: String) = building == "torgersen-lab"
 
-    override fun beltSource(settings: Settings): BeltSource = belt
+    override fun beltSource(settings: Settings): BeltSource = otherBelt ?: belt
 }
