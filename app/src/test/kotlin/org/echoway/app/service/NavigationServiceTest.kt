@@ -208,6 +208,8 @@ class NavigationServiceTest {
         settle(2_000)
         awaitRunning()
         assertEquals(1, listeners)
+        command(NavigationService.ACTION_STOP)
+        assertEquals("none goes on that nobody can stop", 0, listeners)
     }
 
     @Test fun startedAgainItTakesOverFromItself() {
