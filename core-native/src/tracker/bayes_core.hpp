@@ -53,7 +53,6 @@ class BayesLocator::Core {
 
   // Starting.
   void begin();
-  [[nodiscard]] bool can_stand(RoomIndex room, Vec2 position) const;
   void place_known(const Pose2& pose, RoomIndex room, bool heading_known);
   void describe_ignorance();
 

@@ -57,7 +57,7 @@ void BayesLocator::Core::conclude_doubt() {
   doubt_ = Doubt::none;
   last_search_ = history_.end();
   Population& found = rivals_.place_for_another().population();
-  search_.take(found, random_);
+  search_.take(found, tools(), random_);
   double here = 0.0;
   for (Particle& p : found.particles()) {
     if (!is_doubted(p)) continue;

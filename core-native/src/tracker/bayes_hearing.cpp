@@ -46,7 +46,7 @@ void BayesLocator::Core::choose_model(const Record& record) {
 // taken for granted. What the first one found is followed meanwhile.
 void BayesLocator::Core::conclude_first_search() {
   const bool deafened = model_ == &deafened_;
-  search_.take(main_, random_);
+  search_.take(main_, tools(), random_);
   fit_.reset();
   unconfirmed_ = kConfirmed;
   hearing_test_ = hears_far() ? HearingTest::done : HearingTest::running;
@@ -65,7 +65,7 @@ void BayesLocator::Core::conclude_hearing_test() {
     return;
   }
   model_ = other_model_;
-  search_.take(main_, random_);
+  search_.take(main_, tools(), random_);
   fit_.reset();
 }
 

@@ -165,7 +165,7 @@ void BayesLocator::Core::challenge() {
     return;
   }
   Rival& rival = rivals_.place_for_another();
-  search_.take(rival.population(), random_);
+  search_.take(rival.population(), tools(), random_);
   rival.begin(log_odds);
   if (!options_.parts.probation) believe(rival);
 }

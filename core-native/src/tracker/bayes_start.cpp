@@ -3,6 +3,7 @@
 
 #include "tracker/bayes_core.hpp"
 #include "tracker/elementary.hpp"
+#include "tracker/floor.hpp"
 
 namespace echoway {
 
@@ -18,7 +19,6 @@ constexpr std::size_t kAllRound = 1800;           // and of one whose heading is
 constexpr std::size_t kCapacity = 2400;
 constexpr std::size_t kMostRivals = 2;
 constexpr std::size_t kRivalCapacity = 600;
-constexpr double kLeastClearance = 0.12;          // Nobody's axis comes nearer to a wall, metres.
 
 EchoModelParameters echo_parameters(const TrackerParts& parts) {
   EchoModelParameters p;
@@ -67,15 +67,10 @@ void BayesLocator::Core::begin() {
   if (start_.heading && !std::isfinite(*start_.heading)) start_.heading.reset();
   if (start_.room) levels_.begin_in(*start_.room);
   if (start_.heading) start_.heading = wrap_angle(*start_.heading);  // Whoever says it may have counted the turns.
-  if (start_.room && start_.position && can_stand(*start_.room, *start_.position)) {
+  if (start_.room && start_.position && can_stand(scene_.room(*start_.room), *start_.position)) {
     place_known({*start_.position, start_.heading.value_or(0.0)}, *start_.room, start_.heading.has_value());
   }
   describe_ignorance();
-}
-
-bool BayesLocator::Core::can_stand(RoomIndex room, Vec2 position) const {
-  const auto& floor = scene_.room(room).floor;
-  return is_finite(position) && floor.contains(position) && floor.distance(position) > kLeastClearance;
 }
 
 void BayesLocator::Core::place_known(const Pose2& pose, RoomIndex room, bool heading_known) {

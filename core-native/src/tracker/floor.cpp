@@ -13,27 +13,20 @@ using scene::RoomScene;
 constexpr double kDoorwaySlack = 0.25;   // Beside the opening, where a slightly wrong mean still means the doorway.
 constexpr double kStride = 1.2;          // Beyond the door's plane, as far as one interval may carry a mean.
 constexpr double kBody = 0.20;           // Nobody's axis comes nearer to a wall, metres.
+constexpr double kLeastClearance = 0.12; // And whoever says where they are, or is looked for, hardly nearer than this.
 constexpr double kWallSlack = 0.10;      // Maps and means are this wrong near walls.
 
 void enter(Particle& p, const Opening& o) noexcept {
-  const Vec2 r = o.rotation;
   p.position = o.to_neighbour(p.position);
   p.room = o.to;
-  if (r.x == 1.0) return;
-  p.heading = wrap_near(p.heading + std::atan2(r.y, r.x));
-  p.facing = {r.x * p.facing.x - r.y * p.facing.y, r.y * p.facing.x + r.x * p.facing.y};
-  Covariance& c = p.cov;
-  const double xx = c.xx, xy = c.xy, yy = c.yy, xs = c.xs, ys = c.ys, xk = c.xk, yk = c.yk;
-  c.xx = r.x * r.x * xx - 2.0 * r.x * r.y * xy + r.y * r.y * yy;
-  c.yy = r.y * r.y * xx + 2.0 * r.x * r.y * xy + r.x * r.x * yy;
-  c.xy = r.x * r.y * (xx - yy) + (r.x * r.x - r.y * r.y) * xy;
-  c.xs = r.x * xs - r.y * ys;
-  c.ys = r.y * xs + r.x * ys;
-  c.xk = r.x * xk - r.y * yk;
-  c.yk = r.y * xk + r.x * yk;
+  if (o.rotation.x != 1.0) turn(p, o.rotation);
 }
 
 }  // namespace
+
+bool can_stand(const RoomScene& room, Vec2 position) noexcept {
+  return is_finite(position) && room.floor.contains(position) && room.floor.distance(position) > kLeastClearance;
+}
 
 double settle_on_floor(Particle& p, scene::Scene& scene) noexcept {
   if (scene.cell_at(p.room, p.position).plain_floor) {

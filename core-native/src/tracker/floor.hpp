@@ -5,6 +5,9 @@
 
 namespace echoway::tracker {
 
+/// Whether somebody may stand there: on the room's floor and no nearer to a wall than a body allows.
+[[nodiscard]] bool can_stand(const scene::RoomScene& room, Vec2 position) noexcept;
+
 /// Keeps a particle's room in step with its position: through a door it changes room (and frame); walls are not walked
 /// through. Returns a factor for its weight, 1 on the floor, less the farther its mean stands outside, in terms of its
 /// own uncertainty.

@@ -42,6 +42,10 @@ struct Particle {
   std::array<std::uint8_t, kMaxSensors> strangers{};   ///< Per sensor: chance, of 255, that its last echo came from nothing in the plan.
 };
 
+/// Turns a particle where it stands, with all that it knows, by the angle whose cosine and sine `rotation` holds: into the
+/// frame of another room, say.
+void turn(Particle& p, Vec2 rotation) noexcept;
+
 /// Another speed, m/s, of standard deviation `sigma`, that nothing known so far tells anything about.
 inline void forget_speed(Particle& p, double speed, double sigma) noexcept {
   p.speed = speed;

@@ -5,6 +5,7 @@
 
 #include "tracker/elementary.hpp"
 #include "tracker/floor.hpp"
+#include "tracker/summary.hpp"
 
 namespace echoway::tracker {
 double share_of(std::uint64_t firing, std::uint64_t first, const BeltConfig& belt) noexcept {
@@ -18,6 +19,8 @@ namespace {
 constexpr std::uint64_t kRound = 5;               // Firings between looks at the weights.
 constexpr std::size_t kParticlesPerCell = 14;
 constexpr std::size_t kFewest = 400;
+constexpr std::size_t kFewCells = 60;             // Of a dozen places at most, once every sensor was heard.
+constexpr double kShareBetween = 0.3;             // Of what counts of the evidence, between places.
 constexpr double kSpread = degrees(1.0);          // Radians by which copies of a particle part.
 
 // A search starts from cells of places: a reading that is not new weighs less, but narrows them all the same.
@@ -67,6 +70,7 @@ bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budg
     std::array<Past, kRound> round;
     const auto firings = static_cast<std::size_t>(round_end_ - reached_);
     for (std::size_t i = 0; i < firings; ++i) round[i] = past_of(reached_ + i, first_, tools);
+    if (cursor_ == 0) population_.weigh_modes();
     const auto particles = population_.particles();
     for (; cursor_ < particles.size() && spent_ < budget; ++cursor_) {
       const std::size_t compiled = tools.scene.cells_compiled();
@@ -74,19 +78,31 @@ bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budg
       spent_ += firings + cell_cost * (tools.scene.cells_compiled() - compiled);
     }
     if (cursor_ < particles.size()) return false;
-    close_round(random);
+    close_round(tools, random);
   }
   return reached_ == tools.history.end();
 }
 
 // Particles where the first firings point to make room for what the later ones need.
-void Refinement::close_round(Random& random) noexcept {
+void Refinement::close_round(const SearchTools& tools, Random& random) noexcept {
   reached_ = round_end_;
   cursor_ = 0;
   log_evidence_ += fast_log(population_.normalize());
-  const double n = static_cast<double>(population_.size());
-  if (population_.effective_size() > 0.5 * n) return;
-  population_.resample(std::clamp(kParticlesPerCell * population_.occupied_cells(), kFewest, population_.size()), random);
+  population_.temper_modes(kShareBetween);
+  population_.normalize();
+  if (population_.least_effective_share() <= 0.5) resample(tools, random);
+}
+
+void Refinement::resample(const SearchTools& tools, Random& random) noexcept {
+  const std::size_t cells = population_.occupied_cells();
+  const std::size_t target = std::clamp(kParticlesPerCell * cells, kFewest, population_.size());
+  const bool again = reached_ >= first_ + static_cast<std::uint64_t>(tools.belt.sensors);
+  if (again && cells <= kFewCells) {
+    const Summary summary = summarize(population_.particles(), tools.building, SummaryParameters{});
+    modes_.resample(population_, summary, tools.building, target, false, random);
+  } else {
+    population_.resample(target, random);
+  }
   for (Particle& p : population_.particles()) p.heading = wrap_near(p.heading + kSpread * cheap_normal(random));
 }
 

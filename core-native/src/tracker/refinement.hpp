@@ -2,6 +2,7 @@
 
 #include "tracker/history.hpp"
 #include "tracker/likelihood.hpp"
+#include "tracker/modes.hpp"
 #include "tracker/population.hpp"
 
 namespace echoway::tracker {
@@ -26,10 +27,11 @@ struct SearchTools {
 [[nodiscard]] double share_of(std::uint64_t firing, std::uint64_t first, const BeltConfig& belt) noexcept;
 
 /// Brings particles up to the present through past firings, as the tracker itself would have: a particle filter that runs
-/// behind and catches up, cut into slices.
+/// behind and catches up, cut into slices. As soon as few places are left they are modes, and the evidence between them counts
+/// as little as it does in the tracker: what stands in no plan would drop the right one.
 class Refinement {
  public:
-  explicit Refinement(std::size_t capacity) : population_(capacity) {}
+  explicit Refinement(std::size_t capacity) : population_(capacity), modes_(capacity, Modes::Parameters{}) {}
 
   /// Empties it; particles pushed now stand just before firing number `first` of the history.
   void begin(std::uint64_t first) noexcept;
@@ -46,9 +48,11 @@ class Refinement {
   [[nodiscard]] double log_evidence() const noexcept { return log_evidence_; }
 
  private:
-  void close_round(Random& random) noexcept;
+  void close_round(const SearchTools& tools, Random& random) noexcept;
+  void resample(const SearchTools& tools, Random& random) noexcept;
 
   Population population_;
+  Modes modes_;
   std::uint64_t first_ = 0;            ///< Its interval, from the firing before, is not walked.
   std::uint64_t reached_ = 0;          ///< All particles have heard the firings before this one,
   std::uint64_t round_end_ = 0;        ///< and those before the cursor the ones before this.

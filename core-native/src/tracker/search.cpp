@@ -6,11 +6,12 @@
 #include <tuple>
 
 #include "tracker/elementary.hpp"
+#include "tracker/floor.hpp"
+#include "tracker/twins.hpp"
 
 namespace echoway::tracker {
 namespace {
 
-constexpr double kBodyClearance = 0.12;   // Nobody's axis comes nearer to a wall, metres.
 constexpr double kFlattening = 0.5;       // Power of the sweep's likelihoods by which its survivors are drawn: it is coarse.
 constexpr double kNowhere = -1e300;
 constexpr double kStandingShare = 0.4;    // Of wearers who do not know where they are.
@@ -78,8 +79,7 @@ bool Search::worth_trying(const SearchTools& tools, Vec2 position) const noexcep
     const Room& here = tools.building.room(room_);
     if (distance(here.frame.transform(position), near.frame.transform(domain_.near_position)) > *domain_.within) return false;
   }
-  const auto& floor = tools.scene.room(room_).floor;
-  return floor.contains(position) && floor.distance(position) > kBodyClearance;
+  return can_stand(tools.scene.room(room_), position);
 }
 
 bool Search::next_candidate(const SearchTools& tools, Vec2& position, double& heading) noexcept {
@@ -306,12 +306,15 @@ void Search::finish(const SearchTools& tools) noexcept {
   log_evidence_ = refinement_.log_evidence() + fast_log(refinement_.population().normalize()) - fast_log(tried);
 }
 
-void Search::take(Population& out, Random& random) noexcept {
+void Search::take(Population& out, const SearchTools& tools, Random& random) noexcept {
   phase_ = Phase::idle;
   Population& found = refinement_.population();
-  found.resample(std::min(found.size(), out.capacity()), random);
+  const bool anywhere = !is_local() && !heading_is_known();
+  const std::size_t most = anywhere ? without_twins(out.capacity()) : out.capacity();
+  if (found.size() > most) found.resample(most, random);
   out.clear();
   for (const Particle& p : found.particles()) out.push(p);
+  if (anywhere) add_twins(out, tools.scene);
 }
 
 }  // namespace echoway::tracker

@@ -1,0 +1,75 @@
+#include "tracker/refinement.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tracker/plans.hpp"
+
+namespace echoway::tracker {
+namespace {
+
+constexpr double kAside = 0.8;                    // Metres from the wall beside: the one on the right, or the one on the left.
+constexpr Vec2 kHere{1.5, kAside};
+constexpr Vec2 kThere{1.5, test::kFarCorner.y - kAside};
+constexpr int kAhead = 0, kLeft = 4;              // Sensors.
+
+class RefinementTest : public ::testing::Test {
+ protected:
+  void hear(int sensor, double to_wall) {
+    Record record;
+    record.interval.seconds = belt_.slot_s;
+    record.interval.turn_known = true;
+    record.sensor = sensor;
+    record.echo = true;
+    record.range = to_wall - belt_.radius_m;
+    history_.push(record);
+  }
+
+  /// How likely the place is where nobody stands, once particles at both have caught up.
+  double weight_there() {
+    Refinement refinement(400);
+    refinement.begin(0);
+    for (int i = 0; i < 400; ++i) {
+      Particle p;
+      p.weight = 1.0 / 400.0;
+      p.room = 0;
+      p.position = i % 2 == 0 ? kHere : kThere;
+      p.cov.xx = p.cov.yy = 0.01;
+      p.cov.kk = 1e-5;
+      refinement.population().push(p);
+    }
+    const SearchTools tools{model_, scene_, motion_, belt_, history_, hall_, 0.0, 0.004, 0.0, 0.5};
+    while (!refinement.work(tools, random_, 10000, 1)) {
+    }
+    double there = 0.0;
+    for (const Particle& p : refinement.population().particles()) there += p.position.y > 1.5 ? p.weight : 0.0;
+    return there;
+  }
+
+  Building hall_ = test::plain_hall();
+  BeltConfig belt_;
+  EchoModel model_{belt_, EchoModelParameters{}};
+  scene::Scene scene_{hall_, model_.sight_limits()};
+  MotionParameters motion_;
+  History history_;
+  Random random_{1};
+};
+
+// A cupboard is heard again and again: what it says for a place must not count as if it were new each time.
+TEST_F(RefinementTest, WhatIsHeardOverAndOverLeavesOtherPlacesInMind) {
+  for (int pass = 0; pass < 8; ++pass) {
+    for (int i = 1; i < belt_.sensors; ++i) hear(kAhead, test::kFarCorner.x - kHere.x);
+    if (pass > 1) hear(kLeft, test::kFarCorner.y - kAside);
+  }
+  const double there = weight_there();
+  EXPECT_LT(there, 0.3) << "it does count";
+  EXPECT_GT(there, 1e-3);
+}
+
+TEST_F(RefinementTest, PlacesThatNothingTellsApartStayAsLikelyAsTheyWere) {
+  for (int i = 0; i < 120; ++i) hear(kAhead, test::kFarCorner.x - kHere.x);
+  const double there = weight_there();
+  EXPECT_NEAR(there, 0.5, 0.1);
+}
+
+}  // namespace
+}  // namespace echoway::tracker
