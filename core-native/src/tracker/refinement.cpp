@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint64_t kRound = 5;               // Firings between looks at the weights.
 constexpr std::size_t kParticlesPerCell = 14;
 constexpr std::size_t kFewest = 400;
-constexpr std::size_t kFewCells = 60;             // Of a dozen places at most, once every sensor was heard.
+constexpr std::size_t kFewCells = 60;             // Of a dozen places at most, once every sensor was heard twice.
 constexpr double kShareBetween = 0.3;             // Of what counts of the evidence, between places.
 constexpr double kSpread = degrees(1.0);          // Radians by which copies of a particle part.
 
@@ -96,8 +96,8 @@ void Refinement::close_round(const SearchTools& tools, Random& random) noexcept 
 void Refinement::resample(const SearchTools& tools, Random& random) noexcept {
   const std::size_t cells = population_.occupied_cells();
   const std::size_t target = std::clamp(kParticlesPerCell * cells, kFewest, population_.size());
-  const bool again = reached_ >= first_ + static_cast<std::uint64_t>(tools.belt.sensors);
-  if (again && cells <= kFewCells) {
+  const bool heard_twice = reached_ >= first_ + 2 * static_cast<std::uint64_t>(tools.belt.sensors);
+  if (heard_twice && cells <= kFewCells) {
     const Summary summary = summarize(population_.particles(), tools.building, SummaryParameters{});
     modes_.resample(population_, summary, tools.building, target, false, random);
   } else {

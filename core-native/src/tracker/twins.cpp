@@ -6,7 +6,7 @@
 namespace echoway::tracker {
 namespace {
 
-constexpr double kOdds = 0.3;             // Of a twin, against what was found.
+constexpr double kOdds = 0.1;             // Of all twins of a place together, against it.
 constexpr std::size_t kEach = 5;          // One particle of so many is enough to tell where the twin is.
 constexpr double kSquare = 1.1;           // A room whose sides differ by no more may look the same turned by a quarter.
 constexpr Vec2 kHalfTurn{-1.0, 0.0}, kLeft{0.0, 1.0}, kRight{0.0, -1.0};   // Cosines and sines.
@@ -30,10 +30,11 @@ void add_twins(Population& population, const scene::Scene& scene) noexcept {
     const Particle p = population.particles()[i];
     const scene::RoomScene& room = scene.room(p.room);
     const bool square = is_square(room.high - room.low);
+    const double odds = square ? kOdds / 3.0 : kOdds;
     for (const Vec2 rotation : {kHalfTurn, kLeft, kRight}) {
       if (rotation.x == 0.0 && !square) continue;
       Particle twin = turned_about(0.5 * (room.low + room.high), rotation, p);
-      twin.weight *= kOdds * static_cast<double>(kEach);
+      twin.weight *= odds * static_cast<double>(kEach);
       if (can_stand(room, twin.position)) population.push(twin);
     }
   }

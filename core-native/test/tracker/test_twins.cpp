@@ -71,16 +71,16 @@ class TwinsTest : public ::testing::Test {
 TEST_F(TwinsTest, APlaceInARectangularRoomHasOneByHalfATurn) {
   const Population population = with_twins(test::plain_hall());
   const double twin = weight_of(population, test::kFarCorner - kPlace, kHeading + kPi);
-  EXPECT_NEAR(twin / weight_of(population, kPlace, kHeading), 0.3, 1e-9);
+  EXPECT_NEAR(twin / weight_of(population, kPlace, kHeading), 0.1, 1e-9);
   EXPECT_NEAR(twin + weight_of(population, kPlace, kHeading), 1.0, 1e-9) << "and there are no others";
 }
 
 TEST_F(TwinsTest, APlaceInASquareRoomHasThree) {
   const Population population = with_twins(room_of({{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
   const double found = weight_of(population, kPlace, kHeading);
-  EXPECT_NEAR(weight_of(population, {4 - kPlace.y, kPlace.x}, kHeading + 0.5 * kPi) / found, 0.3, 1e-9);
-  EXPECT_NEAR(weight_of(population, {4 - kPlace.x, 4 - kPlace.y}, kHeading + kPi) / found, 0.3, 1e-9);
-  EXPECT_NEAR(weight_of(population, {kPlace.y, 4 - kPlace.x}, kHeading - 0.5 * kPi) / found, 0.3, 1e-9);
+  EXPECT_NEAR(weight_of(population, {4 - kPlace.y, kPlace.x}, kHeading + 0.5 * kPi) / found, 0.1 / 3.0, 1e-9);
+  EXPECT_NEAR(weight_of(population, {4 - kPlace.x, 4 - kPlace.y}, kHeading + kPi) / found, 0.1 / 3.0, 1e-9);
+  EXPECT_NEAR(weight_of(population, {kPlace.y, 4 - kPlace.x}, kHeading - 0.5 * kPi) / found, 0.1 / 3.0, 1e-9);
 }
 
 TEST_F(TwinsTest, NobodyStandsOutsideTheRoom) {
@@ -137,7 +137,7 @@ TEST(Twins, AreNotTakenForTheWearersPlaceForLong) {
   ASSERT_TRUE(lab);
   double seconds = 0.0;
   for (const std::uint64_t seed : {40024, 40029, 40048, 40136, 40147}) seconds += seconds_turned_about(*lab, 101 * seed + 7);
-  EXPECT_LT(seconds, 50.0);
+  EXPECT_LT(seconds, 60.0);
 }
 
 }  // namespace

@@ -100,6 +100,14 @@ class NavigatorTest {
         advanceTimeBy(62)
     }
 
+    /** A belt that is heard for as long in the middle of a corridor: walls to both sides, and nothing else. */
+    private fun TestScope.corridor(belt: ScriptedBelt, seconds: Int) = repeat(seconds * 16) { i ->
+        val sensor = i % 15
+        val range = if (sensor == 4 || sensor == 11) 0.6 else null
+        belt.send(BeltEvent.Bytes(WireSentence.range(i, sensor, range), testScheduler.currentTime / 1000.0))
+        advanceTimeBy(62)
+    }
+
     private data class WayBack(val belt: ScriptedBelt, val navigator: Navigator, val events: List<GuidanceEvent>)
 
     /** Somebody who knew where they stood, was followed for ten seconds and is led back. */
@@ -108,7 +116,7 @@ class NavigatorTest {
         val navigator = navigating(Start(room = 1, at = Point(0.75, 5.5), heading = PI / 2)) { belt }
         val events = eventsOf(navigator)
         belt.send(BeltEvent.Attached)
-        echoes(belt, 10)
+        corridor(belt, 10)
         navigator.ask(Wish.BackTrack)
         runCurrent()
         return WayBack(belt, navigator, events)
