@@ -5,7 +5,8 @@
 
 namespace echoway::tracker {
 
-/// Whether somebody may stand there: on the room's floor and no nearer to a wall than a body allows.
+/// Whether somebody may stand there: on the room's floor, and not so near to a wall that a body would be in it even if the
+/// position were a little wrong. Nobody stands where it is not finite.
 [[nodiscard]] bool can_stand(const scene::RoomScene& room, Vec2 position) noexcept;
 
 /// Keeps a particle's room in step with its position: through a door it changes room (and frame); walls are not walked

@@ -6,7 +6,8 @@
 
 namespace echoway::tracker {
 
-void turn(Particle& p, Vec2 r) noexcept {
+void turn(Particle& p, Vec2 rotation) noexcept {
+  const Vec2 r = rotation;
   p.heading = wrap_near(p.heading + std::atan2(r.y, r.x));
   p.facing = {r.x * p.facing.x - r.y * p.facing.y, r.y * p.facing.x + r.x * p.facing.y};
   Covariance& c = p.cov;

@@ -20,7 +20,7 @@ constexpr std::uint64_t kRound = 5;               // Firings between looks at th
 constexpr std::size_t kParticlesPerCell = 14;
 constexpr std::size_t kFewest = 400;
 constexpr std::size_t kFewCells = 60;             // Of a dozen places at most, once every sensor was heard twice.
-constexpr double kShareBetween = 0.3;             // Of what counts of the evidence, between places.
+constexpr double kShareBetween = 0.3;             // Of what counts, half of it by then, between places: as in the tracker.
 constexpr double kSpread = degrees(1.0);          // Radians by which copies of a particle part.
 
 // A search starts from cells of places: a reading that is not new weighs less, but narrows them all the same.
@@ -66,11 +66,11 @@ bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budg
     if (cursor_ == 0) {
       if (reached_ == tools.history.end()) return true;
       round_end_ = std::min(reached_ + kRound, tools.history.end());
+      population_.weigh_modes();
     }
     std::array<Past, kRound> round;
     const auto firings = static_cast<std::size_t>(round_end_ - reached_);
     for (std::size_t i = 0; i < firings; ++i) round[i] = past_of(reached_ + i, first_, tools);
-    if (cursor_ == 0) population_.weigh_modes();
     const auto particles = population_.particles();
     for (; cursor_ < particles.size() && spent_ < budget; ++cursor_) {
       const std::size_t compiled = tools.scene.cells_compiled();
@@ -83,7 +83,6 @@ bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budg
   return reached_ == tools.history.end();
 }
 
-// Particles where the first firings point to make room for what the later ones need.
 void Refinement::close_round(const SearchTools& tools, Random& random) noexcept {
   reached_ = round_end_;
   cursor_ = 0;
@@ -93,6 +92,7 @@ void Refinement::close_round(const SearchTools& tools, Random& random) noexcept 
   if (population_.least_effective_share() <= 0.5) resample(tools, random);
 }
 
+// Particles where the first firings point to make room for what the later ones need.
 void Refinement::resample(const SearchTools& tools, Random& random) noexcept {
   const std::size_t cells = population_.occupied_cells();
   const std::size_t target = std::clamp(kParticlesPerCell * cells, kFewest, population_.size());

@@ -27,8 +27,8 @@ struct SearchTools {
 [[nodiscard]] double share_of(std::uint64_t firing, std::uint64_t first, const BeltConfig& belt) noexcept;
 
 /// Brings particles up to the present through past firings, as the tracker itself would have: a particle filter that runs
-/// behind and catches up, cut into slices. As soon as few places are left they are modes, and the evidence between them counts
-/// as little as it does in the tracker: what stands in no plan would drop the right one.
+/// behind and catches up, cut into slices. Once every sensor was heard twice and few places are left, they are modes, and the
+/// evidence between them counts as little as it does in the tracker: what stands in no plan would drop the right one.
 class Refinement {
  public:
   explicit Refinement(std::size_t capacity) : population_(capacity), modes_(capacity, Modes::Parameters{}) {}

@@ -309,12 +309,13 @@ void Search::finish(const SearchTools& tools) noexcept {
 void Search::take(Population& out, const SearchTools& tools, Random& random) noexcept {
   phase_ = Phase::idle;
   Population& found = refinement_.population();
-  const bool anywhere = !is_local() && !heading_is_known();
-  const std::size_t most = anywhere ? without_twins(out.capacity()) : out.capacity();
+  // Whose heading is known, or about where they are, is not taken for somebody at the room's other end.
+  const bool with_twins = !is_local() && !heading_is_known();
+  const std::size_t most = with_twins ? without_twins(out.capacity()) : out.capacity();
   if (found.size() > most) found.resample(most, random);
   out.clear();
   for (const Particle& p : found.particles()) out.push(p);
-  if (anywhere) add_twins(out, tools.scene);
+  if (with_twins) add_twins(out, tools.scene);
 }
 
 }  // namespace echoway::tracker

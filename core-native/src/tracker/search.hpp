@@ -66,8 +66,8 @@ class Search {
   /// Works for one slice. Returns true when what was found stands at the present and may be taken.
   bool work(const SearchTools& tools, Random& random) noexcept;
 
-  /// Puts what was found into `out`, at most its capacity; with the twins of every place when it was looked for everywhere and
-  /// all round.
+  /// Puts what was found into `out`, at most its capacity; with the twins of every place (twins.hpp) when it was looked for all
+  /// round, in a room or everywhere.
   void take(Population& out, const SearchTools& tools, Random& random) noexcept;
   [[nodiscard]] const SearchDomain& domain() const noexcept { return domain_; }
   /// Of the building's rooms, square metres.

@@ -1,6 +1,8 @@
 #include "tracker/twins.hpp"
 
-#include "tracker/elementary.hpp"
+#include <array>
+#include <span>
+
 #include "tracker/floor.hpp"
 
 namespace echoway::tracker {
@@ -9,9 +11,14 @@ namespace {
 constexpr double kOdds = 0.1;             // Of all twins of a place together, against it.
 constexpr std::size_t kEach = 5;          // One particle of so many is enough to tell where the twin is.
 constexpr double kSquare = 1.1;           // A room whose sides differ by no more may look the same turned by a quarter.
-constexpr Vec2 kHalfTurn{-1.0, 0.0}, kLeft{0.0, 1.0}, kRight{0.0, -1.0};   // Cosines and sines.
+constexpr std::array<Vec2, 3> kTurns{{{-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}};   // Cosines and sines: half a turn, quarters.
 
-bool is_square(Vec2 size) noexcept { return size.x < kSquare * size.y && size.y < kSquare * size.x; }
+// By which a room may look the same.
+std::span<const Vec2> turns_of(const scene::RoomScene& room) noexcept {
+  const Vec2 size = room.high - room.low;
+  const bool square = size.x < kSquare * size.y && size.y < kSquare * size.x;
+  return std::span(kTurns).first(square ? kTurns.size() : 1);
+}
 
 // With the room, about its centre.
 Particle turned_about(Vec2 centre, Vec2 rotation, Particle p) noexcept {
@@ -24,15 +31,16 @@ Particle turned_about(Vec2 centre, Vec2 rotation, Particle p) noexcept {
 
 }  // namespace
 
+std::size_t without_twins(std::size_t capacity) noexcept { return capacity * kEach / (kEach + kTurns.size()); }
+
 void add_twins(Population& population, const scene::Scene& scene) noexcept {
   const std::size_t found = population.size();
   for (std::size_t i = kEach / 2; i < found; i += kEach) {
     const Particle p = population.particles()[i];
     const scene::RoomScene& room = scene.room(p.room);
-    const bool square = is_square(room.high - room.low);
-    const double odds = square ? kOdds / 3.0 : kOdds;
-    for (const Vec2 rotation : {kHalfTurn, kLeft, kRight}) {
-      if (rotation.x == 0.0 && !square) continue;
+    const std::span<const Vec2> turns = turns_of(room);
+    const double odds = kOdds / static_cast<double>(turns.size());
+    for (const Vec2 rotation : turns) {
       Particle twin = turned_about(0.5 * (room.low + room.high), rotation, p);
       twin.weight *= odds * static_cast<double>(kEach);
       if (can_stand(room, twin.position)) population.push(twin);
