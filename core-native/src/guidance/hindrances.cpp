@@ -138,7 +138,7 @@ bool Hindrances::is_taken(Vec2 at) const {
 }
 
 /// The farthest place on `leg`, which ends too far away to be searched for, that is near enough to `from` and where no thing
-/// is; its beginning where there is none.
+/// is. Where there is none, its beginning, or a metre on from there if that is where the wearer stands.
 Vec2 Hindrances::part_of_the_way(Vec2 from, const Segment& leg) const {
   constexpr double kStep = 0.2;
   constexpr double kFar = 0.9 * Detour::kReach;
@@ -174,8 +174,9 @@ void Hindrances::bend(const FreeSpace& space, RoomIndex room, double time_s, std
   std::size_t last = 0;
   while (goes_on(last) && in_reach(line[last + 1].at)) ++last;
   const bool whole = !goes_on(last);
-  if (!stands_near(line, whole ? last : last + 1)) return;
-  const Vec2 to = whole ? line[last].at : part_of_the_way(from, {line[last].at, line[last + 1].at});
+  const std::size_t next = whole ? last : last + 1;  // from which on the line stays as it is
+  if (!stands_near(line, next)) return;
+  const Vec2 to = whole ? line[last].at : part_of_the_way(from, {line[last].at, line[next].at});
   if (!detour_.find(space, room, near_, from, to, found_)) {
     near_.clear();
     return;
@@ -187,7 +188,7 @@ void Hindrances::bend(const FreeSpace& space, RoomIndex room, double time_s, std
   bent_.push_back(line.front());
   for (std::size_t i = 1; i + 1 < kept_.size(); ++i) bent_.push_back({kept_[i], WaypointKind::turn, -1});
   if (!whole) bent_.push_back({to, WaypointKind::turn, -1});
-  bent_.insert(bent_.end(), line.begin() + static_cast<std::ptrdiff_t>(whole ? last : last + 1), line.end());
+  bent_.insert(bent_.end(), line.begin() + static_cast<std::ptrdiff_t>(next), line.end());
   line.swap(bent_);
 }
 

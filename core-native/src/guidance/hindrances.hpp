@@ -21,7 +21,8 @@ class Hindrances {
   void hear(RoomIndex room, Vec2 at, double time_s) noexcept { add({room, at, time_s, 0}); }
   /// The wearer, who stands at `pose`, has met something `ahead` metres before their middle.
   void touch(RoomIndex room, const Pose2& pose, double ahead, double time_s) noexcept;
-  /// The wearer, who stands at `pose`, hears something as near as that.
+  /// The wearer, who stands at `pose`, hears something `ahead` metres before their middle: as sure as if they had met it, but
+  /// they have not been stopped once more.
   void stand_before(RoomIndex room, const Pose2& pose, double ahead, double time_s) noexcept;
   void clear() noexcept;
 
