@@ -153,7 +153,9 @@ void add_play(CLI::App& app, int& status) {
   auto options = std::make_shared<PlayOptions>();
   command->add_option("--scans", options->scans, "Scan log (*.scans.csv)")->required()->check(not_empty());
   command->add_option("--speed", options->speed, "Times real time")->check(decimal(0.01, 1000.0))->capture_default_str();
-  command->add_option("--patience", options->patience_s, "Seconds to wait for a listener who reads nothing, when the line holds no more and at the end")
+  command
+      ->add_option("--patience", options->patience_s,
+                   "Seconds to wait for a listener who reads nothing, when the line holds no more and at the end")
       ->check(decimal(0.0, 86400.0))
       ->capture_default_str();
   command->callback([options, &status] { status = play(*options); });
