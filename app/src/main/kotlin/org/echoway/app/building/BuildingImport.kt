@@ -3,6 +3,7 @@ package org.echoway.app.building
 import java.io.File
 import java.io.IOException
 import java.io.InputStream
+import org.echoway.app.copyAtMost
 import org.echoway.app.isDiskFull
 import org.echoway.core.BuildingCheck
 import org.echoway.core.Finding
@@ -77,28 +78,16 @@ class BuildingImport(
         }
     }
 
+    /** What an entry says of its own size is no limit: a bomb lies. */
+    private fun copy(from: InputStream, to: File, most: Long): Long =
+        from.copyAtMost(most, to) ?: throw ImportException(ImportProblem.TOO_LARGE)
+
     private fun safeParts(path: String): List<String> {
         val parts = path.split('/')
         val unsafe = parts.any { it.isEmpty() || it == "." || it == ".." || '\\' in it || ':' in it || it.any(Char::isISOControl) }
         if (unsafe || parts.size > limits.depth + 1) throw ImportException(ImportProblem.UNSAFE_NAME, path)
         if (parts.any { it.toByteArray().size > MAX_NAME_BYTES }) throw ImportException(ImportProblem.BAD_NAME, path.take(MAX_NAME_BYTES))
         return parts
-    }
-
-    /** What an entry says of its own size is no limit: a bomb lies. */
-    private fun copy(from: InputStream, to: File, most: Long): Long {
-        var total = 0L
-        val buffer = ByteArray(BUFFER_BYTES)
-        to.outputStream().use { out ->
-            var read = from.read(buffer)
-            while (read >= 0) {
-                total += read
-                if (total > most) throw ImportException(ImportProblem.TOO_LARGE)
-                out.write(buffer, 0, read)
-                read = from.read(buffer)
-            }
-        }
-        return total
     }
 
     /** Archives often hold the folder and not only its files. */
@@ -118,7 +107,6 @@ class BuildingImport(
 
     private companion object {
         const val CONFIG = "building.cfg"
-        const val BUFFER_BYTES = 1 shl 14
         const val MAX_NAME_BYTES = 200
         const val MAX_ID = 60
     }

@@ -51,8 +51,13 @@ class BundledBuildings(private val context: Context, private val versionCode: Lo
     /** One at a time: a belt that is plugged in asks while the screen does. On a phone that is full there are none until it has room. */
     private suspend fun install() = installing.withLock {
         val partial = File(folder.parentFile, "partial")
-        if (!folder.isDirectory) runCatching { layOut(partial) }.onFailure { if (it !is IOException) throw it }
-        partial.deleteRecursively()
+        try {
+            if (!folder.isDirectory) layOut(partial)
+        } catch (_: IOException) {
+            // No room: the next who asks tries again.
+        } finally {
+            partial.deleteRecursively()
+        }
     }
 
     private fun layOut(partial: File) {

@@ -16,6 +16,7 @@ import kotlinx.coroutines.withContext
 import org.echoway.app.AppContainer
 import org.echoway.app.belt.WalkLog
 import org.echoway.app.building.InstalledBuilding
+import org.echoway.app.copyAtMost
 import org.echoway.app.recording.Recordings
 import org.echoway.app.settings.Settings
 import org.echoway.app.settings.SourceKind
@@ -52,25 +53,12 @@ class SetupViewModel(private val container: AppContainer) : ViewModel() {
     private fun keep(file: File, open: () -> InputStream) {
         val partial = File(container.cacheDir, "picked")
         try {
-            open().use { copy(it, partial) }
+            open().use { it.copyAtMost(MOST_BYTES, partial) } ?: throw IOException("larger than any recorded walk")
             WalkLog.read(partial.bufferedReader())
             container.recordings.folder.mkdirs()
             partial.copyTo(file, overwrite = true)
         } finally {
             partial.delete()
-        }
-    }
-
-    /** Whatever was picked, it must not fill the phone. */
-    private fun copy(from: InputStream, to: File) = to.outputStream().use { out ->
-        val buffer = ByteArray(BUFFER_BYTES)
-        var total = 0L
-        while (true) {
-            val read = from.read(buffer)
-            if (read < 0) break
-            total += read
-            if (total > MOST_BYTES) throw IOException("larger than any recorded walk")
-            out.write(buffer, 0, read)
         }
     }
 
@@ -106,6 +94,5 @@ class SetupViewModel(private val container: AppContainer) : ViewModel() {
     private companion object {
         /** A day of walking. */
         const val MOST_BYTES = 32L shl 20
-        const val BUFFER_BYTES = 1 shl 14
     }
 }
