@@ -35,11 +35,11 @@ class AimTest : public ::testing::Test {
 };
 
 TEST_F(AimTest, WhoWouldGoThroughADoorwayAslantGoesRoundWhatStandsThereFirst) {
-  const Pose2 beside{{3.3, 1.7}, 0.0};
+  const Pose2 beside{{3.4, 1.6}, 0.4};  // close before it and to its right, facing the opening
   const Vec2 through = target_from(beside);
   EXPECT_GT(through.x, 4.0) << "aslant through it";
-  way.hindrances().touch(0, beside, 0.35, 0.0);
-  const Vec2 post = beside.position + 0.35 * unit_from_angle(beside.heading);
+  way.hindrances().touch(0, beside, 0.3, 0.0);
+  const Vec2 post = beside.position + 0.3 * unit_from_angle(beside.heading);
   const Vec2 round = target_from(beside);
   EXPECT_GT(distance(Segment{beside.position, round}, post), 0.2) << round.x << ' ' << round.y;
 }
