@@ -53,7 +53,8 @@ void replay(Particle& p, const Past& past, const SearchTools& tools, Random& ran
 
 }  // namespace
 
-void Refinement::begin(std::uint64_t first) noexcept {
+void Refinement::begin(std::uint64_t first, bool modes) noexcept {
+  in_modes_ = modes;
   population_.clear();
   first_ = reached_ = round_end_ = first;
   cursor_ = 0;
@@ -97,7 +98,7 @@ void Refinement::resample(const SearchTools& tools, Random& random) noexcept {
   const std::size_t cells = population_.occupied_cells();
   const std::size_t target = std::clamp(kParticlesPerCell * cells, kFewest, population_.size());
   const bool heard_twice = reached_ >= first_ + 2 * static_cast<std::uint64_t>(tools.belt.sensors);
-  if (heard_twice && cells <= kFewCells) {
+  if (in_modes_ && heard_twice && cells <= kFewCells) {
     const Summary summary = summarize(population_.particles(), tools.building, SummaryParameters{});
     modes_.resample(population_, summary, tools.building, target, false, random);
   } else {

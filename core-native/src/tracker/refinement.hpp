@@ -33,8 +33,9 @@ class Refinement {
  public:
   explicit Refinement(std::size_t capacity) : population_(capacity), modes_(capacity, Modes::Parameters{}) {}
 
-  /// Empties it; particles pushed now stand just before firing number `first` of the history.
-  void begin(std::uint64_t first) noexcept;
+  /// Empties it; particles pushed now stand just before firing number `first` of the history. `modes`: whether the few places
+  /// that are left become modes.
+  void begin(std::uint64_t first, bool modes) noexcept;
   [[nodiscard]] Population& population() noexcept { return population_; }
 
   /// Replays about `budget` firings of single particles, or fewer where cells must first be compiled, each of which costs as
@@ -53,6 +54,7 @@ class Refinement {
 
   Population population_;
   Modes modes_;
+  bool in_modes_ = false;
   std::uint64_t first_ = 0;            ///< Its interval, from the firing before, is not walked.
   std::uint64_t reached_ = 0;          ///< All particles have heard the firings before this one,
   std::uint64_t round_end_ = 0;        ///< and those before the cursor the ones before this.

@@ -247,7 +247,7 @@ void Search::in_order_of_place() noexcept {
 }
 
 void Search::draw_from_survivors(const SearchTools& tools, Random& random) noexcept {
-  refinement_.begin(begin_);
+  refinement_.begin(begin_, looks_all_over());
   if (count_ == 0) return;
   in_order_of_place();
   double best = kNowhere;
@@ -309,8 +309,7 @@ void Search::finish(const SearchTools& tools) noexcept {
 void Search::take(Population& out, const SearchTools& tools, Random& random) noexcept {
   phase_ = Phase::idle;
   Population& found = refinement_.population();
-  // Whose heading is known, or about where they are, is not taken for somebody at the room's other end.
-  const bool with_twins = !is_local() && !heading_is_known();
+  const bool with_twins = looks_all_over();
   const std::size_t most = with_twins ? without_twins(out.capacity()) : out.capacity();
   if (found.size() > most) found.resample(most, random);
   out.clear();

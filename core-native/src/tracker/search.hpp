@@ -89,6 +89,9 @@ class Search {
   [[nodiscard]] bool heading_is_known() const noexcept {
     return domain_.heading || domain_.near_heading || domain_.level_heading;
   }
+  /// Whose heading is known, or about where they are, is not taken for somebody at the room's other end; nor are the places
+  /// beyond stairs, of which most are alike, kept in mind for long.
+  [[nodiscard]] bool looks_all_over() const noexcept { return !is_local() && !heading_is_known(); }
   [[nodiscard]] bool next_candidate(const SearchTools& tools, Vec2& position, double& heading) noexcept;
   void enter_room(const SearchTools& tools) noexcept;
   [[nodiscard]] bool reachable(const SearchTools& tools) const noexcept;

@@ -27,7 +27,7 @@ class RefinementTest : public ::testing::Test {
   /// How likely the place is where nobody stands, once particles at both have caught up.
   double weight_there() {
     Refinement refinement(400);
-    refinement.begin(0);
+    refinement.begin(0, true);
     for (int i = 0; i < 400; ++i) {
       Particle p;
       p.weight = 1.0 / 400.0;
