@@ -190,11 +190,11 @@ class Placer {
           const double away = distance(edge, given);
           const bool curved = edge.length() < kMinWidth && curves(ring, i);
           if (away > kSnapReach || (edge.length() < kMinWidth && !curved)) continue;
-          Candidate here{nearest_point(edge, given), (1.0 / edge.length()) * edge.direction(), width, 0.0};
+          const Candidate here{nearest_point(edge, given), (1.0 / edge.length()) * edge.direction(), width, 0.0};
           // Beside its tangent point a curved wall is not where a straight one would be.
-          if (curved) here.width = edge.length();
-          const Sides sides = sides_of(here, kWallReach);
-          here.width = width;
+          Candidate looked_at = here;
+          if (curved) looked_at.width = edge.length();
+          const Sides sides = sides_of(looked_at, kWallReach);
           const int score = joins_two(sides) ? 10 + sides.score() : 0;
           if (score > 0 && (score > best_score || (score == best_score && away < best_distance - 1e-6))) {
             best = {here, sides};
