@@ -210,19 +210,27 @@ TEST(Osm, ADoorWhoseWidthIsNoneIsThereWithTheUsualOne) {
   }
 }
 
+// At a corner of the wall as drawn, and in the middle of one of its pieces, where the door is wider than the piece: beside
+// it, the wall has already turned away.
 TEST(Osm, ADoorInARoundWallIsFound) {
-  DrawnPlan drawn;
-  std::vector<Vec2> circle;
   constexpr int kPieces = 120;
-  const auto at = [](double angle) { return Vec2{30.0 + 5.0 * std::cos(angle), 5.0 * std::sin(angle)}; };
-  for (int i = 0; i < kPieces; ++i) circle.push_back(at(degrees(360.0 * i / kPieces)));
-  drawn.room("Tower", circle);
-  drawn.room("Court", {{24, -6}, {36, -6}, {36, 6}, {24, 6}});
-  const long door = drawn.door(at(degrees(45.0)));
-  const ImportedPlan plan = drawn.import();
-  ASSERT_THAT(plan.doors_between("0-tower", "0-court"), SizeIs(1));
-  EXPECT_FALSE(plan.repaired(DrawnPlan::id_of("node", door), "off its wall"));
-  expect_sound(plan.building);
+  constexpr double kPiece = 360.0 / kPieces;
+  const auto at = [](double angle, double radius) {
+    return Vec2{30.0 + radius * std::cos(degrees(angle)), radius * std::sin(degrees(angle))};
+  };
+  std::vector<Vec2> circle;
+  for (int i = 0; i < kPieces; ++i) circle.push_back(at(kPiece * i, 5.0));
+  const Vec2 corner = at(15 * kPiece, 5.0), middle = at(15.5 * kPiece, 5.0 * std::cos(degrees(0.5 * kPiece)));
+  for (const Vec2 place : {corner, middle}) {
+    DrawnPlan drawn;
+    drawn.room("Tower", circle);
+    drawn.room("Court", {{24, -6}, {36, -6}, {36, 6}, {24, 6}});
+    const long door = drawn.door(place);
+    const ImportedPlan plan = drawn.import();
+    ASSERT_THAT(plan.doors_between("0-tower", "0-court"), SizeIs(1)) << place.x << ' ' << place.y;
+    EXPECT_FALSE(plan.repaired(DrawnPlan::id_of("node", door), "off its wall"));
+    expect_sound(plan.building);
+  }
 }
 
 }  // namespace
