@@ -119,8 +119,9 @@ class DrawnPlan {
     return tag("indoor", "room") + tag("level", "0") + tag("name", name);
   }
   long room(const std::string& name, const std::vector<Vec2>& corners) { return way(ring(corners), room_tags(name)); }
-  void relation(const std::string& members, const std::string& tags) {
+  long relation(const std::string& members, const std::string& tags) {
     text_ += "<relation id='" + std::to_string(--id_) + "'>" + members + tags + "</relation>\n";
+    return id_;
   }
   static std::string member(long way, const std::string& role) {
     return "<member type='way' ref='" + std::to_string(way) + "' role='" + role + "'/>";
@@ -185,6 +186,34 @@ TEST(Osm, ARoomOfTwoOutlinesIsThereTwice) {
   EXPECT_NEAR(floor_area(*plan.room("0-twin")), 16.0, 0.05);
   EXPECT_NEAR(floor_area(*plan.room("0-twin-2")), 15.0, 0.05);
   EXPECT_EQ(doors_of(plan, "0-twin-2"), 1U);
+}
+
+// It would otherwise be gone without a word, or be a room by itself.
+TEST(Osm, AHoleOutsideItsOutlinesIsListed) {
+  DrawnPlan drawn;
+  const long west = drawn.way(drawn.ring({{0, 5}, {4, 5}, {4, 9}, {0, 9}}), "");
+  const long east = drawn.way(drawn.ring({{8, 5}, {12, 5}, {12, 9}, {8, 9}}), "");
+  const long astray = drawn.way(drawn.ring({{5, 6}, {7, 6}, {7, 8}, {5, 8}}), "");
+  const std::string tags = DrawnPlan::tag("type", "multipolygon") + DrawnPlan::room_tags("Holed");
+  const std::string hole = DrawnPlan::member(astray, "inner");
+  const long twin = drawn.relation(DrawnPlan::member(west, "outer") + DrawnPlan::member(east, "outer") + hole, tags);
+  const long single = drawn.relation(DrawnPlan::member(west, "outer") + hole, tags);
+  const ImportedPlan plan = drawn.import();
+  EXPECT_TRUE(plan.unresolved(DrawnPlan::id_of("relation", twin), "a hole lies outside its outline"));
+  EXPECT_TRUE(plan.unresolved(DrawnPlan::id_of("relation", single), "a hole lies outside its outline"));
+  for (const Room& room : plan.building.rooms) EXPECT_GT(floor_area(room), 15.0) << room.id;
+}
+
+TEST(Osm, AHoleThatReachesOverItsOutlineTakesOutWhatLiesInIt) {
+  DrawnPlan drawn;
+  const long outline = drawn.way(drawn.ring({{0, 5}, {4, 5}, {4, 9}, {0, 9}}), "");
+  const long shaft = drawn.way(drawn.ring({{3, 6}, {6, 6}, {6, 8}, {3, 8}}), "");
+  drawn.relation(DrawnPlan::member(outline, "outer") + DrawnPlan::member(shaft, "inner"),
+                 DrawnPlan::tag("type", "multipolygon") + DrawnPlan::room_tags("North"));
+  drawn.door({2, 5});
+  const ImportedPlan plan = drawn.import();
+  EXPECT_THAT(plan.room_ids(), UnorderedElementsAre("0-west", "0-east", "0-north"));
+  EXPECT_NEAR(floor_area(*plan.room("0-north")), 14.0, 0.05);
 }
 
 TEST(Osm, RoomsThatItCannotTakeAreListed) {

@@ -101,6 +101,10 @@ void collect_paths(const GEOSGeometry* g, std::vector<std::vector<Vec2>>& into) 
 
 Shape only_areas(const Shape& shape) { return unite(areas(shape)); }
 
+Shape made_valid(const std::vector<Vec2>& outline) {
+  return only_areas(Shape(GEOSMakeValid_r(h(), raw_polygon({outline, {}}).get())));
+}
+
 // Rings start where the direction changes most, so that simplification can thin out every other vertex.
 void start_at_sharpest(std::vector<Vec2>& r) {
   std::size_t best = 0;
@@ -158,7 +162,9 @@ Shape line(const std::vector<Vec2>& path) { return Shape(GEOSGeom_createLineStri
 Shape area_of(const Polygon2& polygon) {
   const Shape raw = raw_polygon(polygon);
   if (GEOSisValid_r(h(), raw.get()) == 1) return Shape(GEOSGeom_setPrecision_r(h(), raw.get(), kGrid, 0));
-  return only_areas(Shape(GEOSMakeValid_r(h(), raw.get())));
+  Shape area = made_valid(polygon.outer);
+  for (const auto& hole : polygon.holes) area = difference(area, made_valid(hole));
+  return only_areas(area);
 }
 
 bool is_valid(const Polygon2& polygon) { return GEOSisValid_r(h(), raw_polygon(polygon).get()) == 1; }

@@ -11,6 +11,7 @@ namespace echoway::import {
 namespace {
 
 constexpr double kSamePoint = 1e-3;  // metres; nearer points are one point twice
+constexpr double kNoArea = 1e-4;     // square metres
 
 // Calls `use(path)` for every list of coordinates of a feature.
 template <class Feature, class Use>
@@ -120,6 +121,17 @@ std::size_t drop_repeats(Path& path, bool ring) {
   return before - path.size();
 }
 
+// A hole outside its outline takes nothing out; left in, it would become a room of its own.
+void drop_outside_holes(geos::Polygon2& polygon, const Source& source, const std::string& level, Report& report) {
+  if (polygon.holes.empty() || geos::is_valid(polygon)) return;
+  const geos::Shape inside = geos::area_of({polygon.outer, {}});
+  std::erase_if(polygon.holes, [&](const Path& hole) {
+    const bool outside = geos::intersection(inside, geos::area_of({hole, {}})).area() < kNoArea;
+    if (outside) report.unresolved(source, level, hole.front(), "a hole lies outside its outline: left out");
+    return outside;
+  });
+}
+
 // Makes one feature's polygons safe to use. Returns false when nothing of them is left.
 bool clean_area(Area& area, const Source& source, const std::string& level, Report& report) {
   std::size_t repeats = 0;
@@ -128,7 +140,8 @@ bool clean_area(Area& area, const Source& source, const std::string& level, Repo
     repeats += drop_repeats(polygon.outer, true);
     for (Path& hole : polygon.holes) repeats += drop_repeats(hole, true);
     std::erase_if(polygon.holes, [](const Path& hole) { return hole.size() < 3; });
-    if (polygon.outer.size() < 3 || std::abs(signed_area(polygon.outer)) < 1e-4) continue;
+    if (polygon.outer.size() < 3 || std::abs(signed_area(polygon.outer)) < kNoArea) continue;
+    drop_outside_holes(polygon, source, level, report);
     const Vec2 at = polygon.outer.front();
     if (geos::is_valid(polygon)) {
       kept.push_back(std::move(polygon));

@@ -164,12 +164,13 @@ class Reader {
     if (!area.empty()) place_area(relation.tags, from, area);
   }
 
-  // Of several outlines, the hole is in the one that it lies in.
+  // Of several outlines, the hole is in the one that it lies in. One that lies in none is listed when the plan is cleaned.
   static void put_into(Area& area, Path hole) {
-    if (hole.empty()) return;
-    const auto holds = [&hole](const geos::Polygon2& polygon) { return contains({&polygon.outer, 1}, hole.front()); };
-    const auto around = area.size() == 1 ? area.begin() : std::find_if(area.begin(), area.end(), holds);
-    if (around != area.end()) around->holes.push_back(std::move(hole));
+    if (hole.empty() || area.empty()) return;
+    const auto around = std::find_if(area.begin(), area.end(), [&hole](const geos::Polygon2& polygon) {
+      return std::any_of(hole.begin(), hole.end(), [&](Vec2 p) { return contains({&polygon.outer, 1}, p); });
+    });
+    (around != area.end() ? *around : area.front()).holes.push_back(std::move(hole));
   }
 
   void place_area(const OsmTags& tags, const Source& from, const Area& area) {
