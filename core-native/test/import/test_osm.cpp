@@ -262,5 +262,91 @@ TEST(Osm, ADoorInARoundWallIsFound) {
   }
 }
 
+// West's wall is at y = 5; the vault's is as much further north as the wall is thick.
+DrawnPlan with_vault(double wall) {
+  DrawnPlan drawn;
+  drawn.room("Vault", {{0, 5.0 + wall}, {6, 5.0 + wall}, {6, 12}, {0, 12}});
+  return drawn;
+}
+
+// Only the front door is a way out.
+void expect_one_door_to_the_vault(const ImportedPlan& plan) {
+  EXPECT_THAT(plan.doors_between("0-west", "0-vault"), SizeIs(1));
+  EXPECT_THAT(plan.building.exits, SizeIs(1));
+  expect_sound(plan.building);
+}
+
+TEST(Osm, ADoorInAThickWallJoinsTheRoomsOnItsSides) {
+  for (const double wall : {0.5, 0.8, 1.15}) {
+    SCOPED_TRACE(wall);
+    DrawnPlan one = with_vault(wall);
+    one.door({3, 5});
+    expect_one_door_to_the_vault(one.import());
+    // On the outlines of both rooms, as where each was drawn for itself.
+    DrawnPlan both = with_vault(wall);
+    both.door({3, 5});
+    both.door({3, 5.0 + wall});
+    expect_one_door_to_the_vault(both.import());
+    DrawnPlan with_wall = with_vault(wall);
+    with_wall.way(with_wall.ring({{0, 5}, {6, 5}, {6, 5.0 + wall}, {0, 5.0 + wall}}),
+                  DrawnPlan::tag("indoor", "wall") + DrawnPlan::tag("level", "0"));
+    with_wall.door({3, 5.0 + 0.5 * wall});
+    expect_one_door_to_the_vault(with_wall.import());
+  }
+}
+
+TEST(Osm, ADoorInTheMiddleOfAWallTooThickForOneIsListed) {
+  DrawnPlan drawn = with_vault(1.4);
+  drawn.way(drawn.ring({{0, 5}, {6, 5}, {6, 6.4}, {0, 6.4}}),
+            DrawnPlan::tag("indoor", "wall") + DrawnPlan::tag("level", "0"));
+  const long door = drawn.door({3, 5.7});
+  const ImportedPlan plan = drawn.import();
+  EXPECT_TRUE(plan.unresolved(DrawnPlan::id_of("node", door), "leads into a wall"));
+  EXPECT_THAT(plan.building.exits, SizeIs(1));
+}
+
+TEST(Osm, ADoorIntoAnAlleyBetweenTwoRoomsIsAWayOut) {
+  DrawnPlan drawn = with_vault(2.0);
+  drawn.door({3, 5});
+  const ImportedPlan plan = drawn.import();
+  EXPECT_THAT(plan.doors_between("0-west", "0-vault"), SizeIs(0));
+  EXPECT_THAT(plan.building.exits, SizeIs(2));
+}
+
+// Whoever is led out of a fire ends up in it.
+TEST(Osm, ADoorIntoACourtIsAWayOutOnlyWhenThePlanSaysSo) {
+  const std::string level = DrawnPlan::tag("level", "0");
+  for (const bool entrance : {false, true}) {
+    DrawnPlan drawn;
+    drawn.room("Left", {{0, 5}, {3, 5}, {3, 9}, {0, 9}});
+    drawn.room("Right", {{9, 5}, {12, 5}, {12, 9}, {9, 9}});
+    drawn.room("Back", {{0, 9}, {12, 9}, {12, 12}, {0, 12}});
+    const long door = drawn.node({4.5, 5}, level + DrawnPlan::tag(entrance ? "entrance" : "door", "yes"));
+    const ImportedPlan plan = drawn.import();
+    EXPECT_THAT(plan.building.exits, SizeIs(entrance ? 2 : 1));
+    EXPECT_EQ(plan.unresolved(DrawnPlan::id_of("node", door), "leads into a court"), !entrance);
+  }
+}
+
+// The wall between two rooms meets the outer wall half a metre beside it, and joins two rooms.
+TEST(Osm, ADoorInTheOuterWallBesideAPartitionLeadsOut) {
+  for (const char* key : {"entrance", "door"}) {
+    DrawnPlan drawn;
+    const long door = drawn.node({6.5, 0}, DrawnPlan::tag(key, "yes") + DrawnPlan::tag("level", "0"));
+    const ImportedPlan plan = drawn.import();
+    EXPECT_THAT(plan.building.exits, SizeIs(2)) << key;
+    EXPECT_THAT(plan.doors_between("0-west", "0-east"), SizeIs(0)) << key;
+    EXPECT_FALSE(plan.repaired(DrawnPlan::id_of("node", door), "off its wall")) << key;
+  }
+}
+
+TEST(Osm, AnEntranceThatStandsOffTheOuterWallBesideAPartitionLeadsOut) {
+  DrawnPlan drawn;
+  drawn.node({6.4, 0.3}, DrawnPlan::tag("entrance", "yes") + DrawnPlan::tag("level", "0"));
+  const ImportedPlan plan = drawn.import();
+  EXPECT_THAT(plan.building.exits, SizeIs(2));
+  EXPECT_THAT(plan.doors_between("0-west", "0-east"), SizeIs(0));
+}
+
 }  // namespace
 }  // namespace echoway::import

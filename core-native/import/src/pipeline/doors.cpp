@@ -1,7 +1,6 @@
 #include "pipeline/doors.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -9,91 +8,44 @@
 
 #include "echoway/geometry/segment.hpp"
 #include "echoway/units.hpp"
+#include "pipeline/door_sides.hpp"
 
 namespace echoway::import {
 namespace {
 
 using geos::Shape;
 
+using Kind = DoorSide::Kind;
+
 constexpr double kDefaultWidth = feet(3.0);  // when the plan gives a point only (as in the building format)
-constexpr double kWallReach = 0.6;       // metres to look for floor on either side of a door drawn as a line
-constexpr double kFrameReach = 0.35;     // the same from the face of a door drawn as an area
-constexpr double kStep = 0.02;           // metres between looks
+constexpr double kFrameReach = 0.35;     // metres to look for floor from the face of a door drawn as an area
 constexpr double kSnapReach = 0.75;      // metres by which a door may stand off its wall
+constexpr double kOnWall = 0.05;         // metres from its wall within which it stands on it
 constexpr double kMinWidth = 0.4;        // metres
 constexpr double kCurve = 0.7;           // cosine of the turn up to which short edges are pieces of one curved wall
 constexpr double kLeafGap = 0.15;        // metres between leaves of one door
-constexpr double kInset = 1e-3;          // metres; a look this far inside a cell is certain
+constexpr double kSameWall = 0.2;        // metres across the wall between leaves of one door
 
-// A door before it is known what it joins.
-struct Candidate {
-  Vec2 centre, along;
-  double width = 0.0;
-  double half_depth = 0.0;  ///< Half the extent of its area across the wall.
-};
+constexpr const char* kLeadsNowhere = "leads into a wall or a space without a room: left out";
 
-struct Side {
-  enum class Kind { cell, outside, blocked } kind = Kind::blocked;
-  int cell = -1;
-  double distance = 0.0;
-};
+// How well a door stands somewhere: what joins two rooms is more of a door than what leads out of one, unless the plan
+// says that it leads out.
+int worth(const DoorSides& sides, bool way_out) {
+  const auto of_side = [way_out](const DoorSide& side) {
+    if (side.kind == Kind::cell) return 2;
+    if (side.kind == Kind::blocked) return 0;
+    return way_out ? 3 : 1;
+  };
+  const bool same = sides.front.kind == Kind::cell && sides.back.kind == Kind::cell &&
+                    sides.front.cell == sides.back.cell;
+  return of_side(sides.front) + of_side(sides.back) - (same ? 2 : 0);
+}
 
-// What lies beyond a door in direction `n`: three looks across its width, the two that agree count.
-class Looker {
- public:
-  explicit Looker(const LevelFloor& floor) : floor_(floor) {}
-
-  [[nodiscard]] Side look(const Candidate& door, Vec2 n, double reach) const {
-    std::array<Side, 3> looks{};
-    for (int i = -1; i <= 1; ++i) {
-      looks[static_cast<std::size_t>(i + 1)] = look_from(door.centre + (0.25 * i * door.width) * door.along, n, reach);
-    }
-    const auto votes = [&](const Side& s) {
-      return std::count_if(looks.begin(), looks.end(),
-                           [&](const Side& t) { return t.kind == s.kind && t.cell == s.cell; });
-    };
-    Side best = looks[1];
-    for (const Side& s : looks) {
-      if (votes(s) > votes(best) || (best.kind == Side::Kind::blocked && s.kind != Side::Kind::blocked)) best = s;
-    }
-    for (const Side& s : looks) {
-      if (s.kind == best.kind && s.cell == best.cell) best.distance = std::min(best.distance, s.distance);
-    }
-    return best;
-  }
-
- private:
-  [[nodiscard]] Side look_from(Vec2 from, Vec2 n, double reach) const {
-    for (double d = kInset; d <= reach; d += kStep) {
-      const int cell = floor_.cell_at(from + d * n);
-      if (cell >= 0) return {Side::Kind::cell, cell, refine(from, n, d, cell)};
-    }
-    const Vec2 beyond = from + reach * n;
-    const bool outside = !geos::contains(floor_.inside, beyond) || geos::contains(floor_.outdoors, beyond);
-    return {outside ? Side::Kind::outside : Side::Kind::blocked, -1, reach};
-  }
-
-  // Where exactly the cell begins, to a tenth of a millimetre.
-  [[nodiscard]] double refine(Vec2 from, Vec2 n, double inside, int cell) const {
-    const Shape& area = floor_.cells[static_cast<std::size_t>(cell)].floor;
-    double outside = std::max(0.0, inside - kStep);
-    while (inside - outside > geos::kGrid) {
-      const double middle = 0.5 * (inside + outside);
-      (geos::contains(area, from + middle * n) ? inside : outside) = middle;
-    }
-    return inside;
-  }
-
-  const LevelFloor& floor_;
-};
-
-struct Sides {
-  Side front, back;
-  [[nodiscard]] int score() const {
-    const auto worth = [](const Side& s) { return s.kind == Side::Kind::cell ? 2 : s.kind == Side::Kind::outside ? 1 : 0; };
-    const bool same = front.kind == Side::Kind::cell && back.kind == Side::Kind::cell && front.cell == back.cell;
-    return worth(front) + worth(back) - (same ? 2 : 0);
-  }
+// A place on a wall where a door may be.
+struct DoorPlace {
+  DoorCandidate candidate;
+  DoorSides sides;
+  double away = 0.0;  ///< Metres from where the plan has it.
 };
 
 class Placer {
@@ -109,79 +61,66 @@ class Placer {
 
  private:
   void place_one(std::size_t index, const PlanDoor& door) {
-    Candidate candidate;
-    Sides sides;
-    if (!door.area.empty()) {
-      std::tie(candidate, sides) = from_area(door);
-    } else if (!from_path(door, candidate, sides)) {
-      return;
+    const auto place = door.area.empty() ? from_path(door) : from_area(door);
+    if (!place) {
+      return unresolved(door, middle_of(door), beside_a_wall(middle_of(door)) ? kLeadsNowhere
+                                                                              : "stands off every wall: left out");
     }
-    if (sides.front.kind == Side::Kind::cell && sides.back.kind == Side::Kind::cell &&
-        sides.front.cell == sides.back.cell) {
+    const DoorSides& sides = place->sides;
+    if (sides.front.kind == Kind::cell && sides.back.kind == Kind::cell && sides.front.cell == sides.back.cell) {
       if (!door.area.empty()) {
         placement_.within_a_cell.insert(index);
       } else {
-        unresolved(door, candidate.centre, "has the same room on both sides: left out");
+        unresolved(door, place->candidate.centre, "has the same room on both sides: left out");
       }
       return;
     }
-    keep(door, candidate, sides);
+    keep(door, place->candidate, sides);
   }
 
   // The wall runs along the side of the door's rectangle across which there is floor on both sides; the longer one when
   // both do.
-  std::pair<Candidate, Sides> from_area(const PlanDoor& door) const {
+  std::optional<DoorPlace> from_area(const PlanDoor& door) const {
     const geos::Box box = geos::oriented_box(shape_of(door.area));
-    const Candidate lengthwise{box.centre, box.along, box.length, 0.5 * box.width};
-    const Candidate crosswise{box.centre, perpendicular(box.along), box.width, 0.5 * box.length};
-    const Sides a = sides_of(lengthwise, lengthwise.half_depth + kFrameReach);
-    const Sides b = sides_of(crosswise, crosswise.half_depth + kFrameReach);
+    const DoorCandidate lengthwise{box.centre, box.along, box.length, 0.5 * box.width};
+    const DoorCandidate crosswise{box.centre, perpendicular(box.along), box.width, 0.5 * box.length};
+    const DoorSides a = looker_.within(lengthwise, lengthwise.half_depth + kFrameReach);
+    const DoorSides b = looker_.within(crosswise, crosswise.half_depth + kFrameReach);
     const bool squarish = box.width > 0.5 * box.length;
-    if (squarish && b.score() > a.score()) return {crosswise, b};
-    return {lengthwise, a};
+    if (squarish && worth(b, door.way_out) > worth(a, door.way_out)) return DoorPlace{crosswise, b, 0.0};
+    return DoorPlace{lengthwise, a, 0.0};
   }
 
-  [[nodiscard]] Sides sides_of(const Candidate& door, double reach) const {
-    const Vec2 n = perpendicular(door.along);
-    return {looker_.look(door, n, reach), looker_.look(door, -n, reach)};
-  }
+  // REQUIRES: a door with a path.
+  static Vec2 middle_of(const PlanDoor& door) { return 0.5 * (door.path.front() + door.path.back()); }
 
   // A line or a point: taken where it stands when there is a wall, else moved onto the nearest wall of its cell.
-  bool from_path(const PlanDoor& door, Candidate& candidate, Sides& sides) {
-    const Vec2 given = 0.5 * (door.path.front() + door.path.back());
-    if (door.path.size() == 2 && distance(door.path[0], door.path[1]) > kMinWidth) {
-      const Vec2 chord = door.path[1] - door.path[0];
-      candidate = {given, (1.0 / norm(chord)) * chord, norm(chord), 0.0};
-      sides = sides_of(candidate, kWallReach);
-      if (joins_two(sides)) return true;
+  std::optional<DoorPlace> from_path(const PlanDoor& door) const {
+    const Vec2 chord = door.path.back() - door.path.front();
+    if (norm(chord) > kMinWidth) {
+      const DoorCandidate drawn{middle_of(door), (1.0 / norm(chord)) * chord, norm(chord), 0.0};
+      const DoorSides sides = sides_of(drawn, door);
+      if (sides.joins_two()) return DoorPlace{drawn, sides, 0.0};
     }
-    const auto snapped = snap(door, given, candidate.width);
-    if (!snapped) {
-      unresolved(door, given, "stands off every wall: left out");
-      return false;
-    }
-    const double moved = distance(snapped->first.centre, given);
-    std::tie(candidate, sides) = *snapped;
-    if (moved > 0.05 && report_ != nullptr) {
+    const auto snapped = snap(door, norm(chord));
+    if (snapped && snapped->away > kOnWall && report_ != nullptr) {
       char text[80];
-      std::snprintf(text, sizeof text, "stood %.2f m off its wall: moved onto it", moved);
-      report_->repaired(door.source, floor_.plan->short_name, candidate.centre, text);
+      std::snprintf(text, sizeof text, "stood %.2f m off its wall: moved onto it", snapped->away);
+      report_->repaired(door.source, floor_.plan->short_name, snapped->candidate.centre, text);
     }
-    return true;
+    return snapped;
   }
 
-  static bool joins_two(const Sides& sides) {
-    if (sides.front.kind == Side::Kind::blocked || sides.back.kind == Side::Kind::blocked) return false;
-    if (sides.front.kind == Side::Kind::outside && sides.back.kind == Side::Kind::outside) return false;
-    return sides.front.kind != sides.back.kind || sides.front.cell != sides.back.cell;
+  // What the plan calls a way out does not lead into the building across the way.
+  DoorSides sides_of(const DoorCandidate& candidate, const PlanDoor& door) const {
+    return door.way_out ? looker_.within(candidate, DoorLooker::kWallReach) : looker_.through_wall(candidate);
   }
 
-  // The point of the nearest cell's outline, in the middle between it and the next cell if there is a wall between.
-  std::optional<std::pair<Candidate, Sides>> snap(const PlanDoor& door, Vec2 given, double line_width) const {
+  // The best point on a cell's outline.
+  std::optional<DoorPlace> snap(const PlanDoor& door, double line_width) const {
+    const Vec2 given = middle_of(door);
     const double width = door.width > 0.0 ? door.width : line_width > kMinWidth ? line_width : kDefaultWidth;
-    std::optional<std::pair<Candidate, Sides>> best;
-    int best_score = 0;
-    double best_distance = kSnapReach;
+    std::optional<DoorPlace> best;
     for (const Cell& cell : floor_.cells) {
       if (geos::distance(geos::boundary(cell.floor), given) > kSnapReach) continue;
       for (const Path& ring : geos::to_paths(geos::boundary(cell.floor))) {
@@ -190,21 +129,30 @@ class Placer {
           const double away = distance(edge, given);
           const bool curved = edge.length() < kMinWidth && curves(ring, i);
           if (away > kSnapReach || (edge.length() < kMinWidth && !curved)) continue;
-          const Candidate here{nearest_point(edge, given), (1.0 / edge.length()) * edge.direction(), width, 0.0};
+          const DoorCandidate here{nearest_point(edge, given), (1.0 / edge.length()) * edge.direction(), width, 0.0};
           // Beside its tangent point a curved wall is not where a straight one would be.
-          Candidate looked_at = here;
+          DoorCandidate looked_at = here;
           if (curved) looked_at.width = edge.length();
-          const Sides sides = sides_of(looked_at, kWallReach);
-          const int score = joins_two(sides) ? 10 + sides.score() : 0;
-          if (score > 0 && (score > best_score || (score == best_score && away < best_distance - 1e-6))) {
-            best = {here, sides};
-            best_score = score;
-            best_distance = away;
-          }
+          const DoorPlace place{here, sides_of(looked_at, door), away};
+          if (place.sides.joins_two() && (!best || better(place, *best, door))) best = place;
         }
       }
     }
     return best;
+  }
+
+  [[nodiscard]] bool beside_a_wall(Vec2 p) const {
+    return std::any_of(floor_.cells.begin(), floor_.cells.end(), [p](const Cell& cell) {
+      return geos::distance(geos::boundary(cell.floor), p) <= kSnapReach;
+    });
+  }
+
+  // The wall that a door stands on is before others near by: an entrance beside a partition does not lead through that.
+  static bool better(const DoorPlace& a, const DoorPlace& b, const PlanDoor& door) {
+    const bool a_on_wall = a.away <= kOnWall, b_on_wall = b.away <= kOnWall;
+    if (a_on_wall != b_on_wall) return a_on_wall;
+    const int a_worth = worth(a.sides, door.way_out), b_worth = worth(b.sides, door.way_out);
+    return a_worth != b_worth ? a_worth > b_worth : a.away < b.away - 1e-6;
   }
 
   // Whether the ring (whose last point is its first) goes on without a corner before and behind its i-th edge.
@@ -218,11 +166,9 @@ class Placer {
     return dot(here, direction(i - 1 + edges - 1)) > kCurve && dot(here, direction(i)) > kCurve;
   }
 
-  void keep(const PlanDoor& door, const Candidate& candidate, const Sides& sides) {
-    if (!joins_two(sides)) {
-      const bool wall = sides.front.kind == Side::Kind::cell || sides.back.kind == Side::Kind::cell;
-      unresolved(door, candidate.centre, wall ? "leads into a wall or a space without a room: left out"
-                                              : "has no room on either side: left out");
+  void keep(const PlanDoor& door, const DoorCandidate& candidate, const DoorSides& sides) {
+    if (!sides.joins_two()) {
+      unresolved(door, candidate.centre, sides.has(Kind::cell) ? kLeadsNowhere : "has no room on either side: left out");
       return;
     }
     PlacedDoor placed{door.source, door.name, candidate.centre, candidate.along,
@@ -237,10 +183,12 @@ class Placer {
     }
     if (!exit) {
       placement_.doors.push_back(placed);
-    } else if (door.way_out == PlanDoor::WayOut::yes || floor_.plan->ground) {
+    } else if (door.way_out || (floor_.plan->ground && !sides.has(Kind::court))) {
       placement_.exits.push_back(placed);
     } else {
-      unresolved(door, candidate.centre, "leads outdoors above or below the ground: not taken for a way out");
+      unresolved(door, candidate.centre, sides.has(Kind::court)
+                                             ? "leads into a court or a space that is not drawn: not taken for a way out"
+                                             : "leads outdoors above or below the ground: not taken for a way out");
     }
   }
 
@@ -265,9 +213,16 @@ class Placer {
 
   static bool is_leaf_of(const PlacedDoor& a, const PlacedDoor& b) {
     const bool same_cells = (a.front == b.front && a.back == b.back) || (a.front == b.back && a.back == b.front);
-    const Vec2 d = b.centre - a.centre;
-    return same_cells && std::abs(cross(a.along, b.along)) < 0.2 && std::abs(dot(d, perpendicular(a.along))) < 0.2 &&
+    const Vec2 d = middle_of(b) - middle_of(a);
+    return same_cells && std::abs(cross(a.along, b.along)) < 0.2 &&
+           std::abs(dot(d, perpendicular(a.along))) < kSameWall &&
            std::abs(dot(d, a.along)) < 0.5 * (a.width + b.width) + kLeafGap;
+  }
+
+  // In the middle of the wall: a plan may draw the same door on both faces of it.
+  static Vec2 middle_of(const PlacedDoor& door) {
+    if (door.back == PlacedDoor::kOutside) return door.centre;
+    return door.centre + 0.5 * (door.to_front - door.to_back) * perpendicular(door.along);
   }
 
   void absorb(PlacedDoor& a, const PlacedDoor& b) {
@@ -284,7 +239,7 @@ class Placer {
   }
 
   const LevelFloor& floor_;
-  Looker looker_;
+  DoorLooker looker_;
   Report* report_;
   DoorPlacement placement_;
 };

@@ -181,9 +181,7 @@ class Reader {
         if (path.size() < 2) continue;
         // "principal" and "emergencyexit" are doors of the whole building, on whatever level they are.
         const bool exit = category == "emergencyexit" || category == "pedestrian.principal";
-        level->doors.push_back({source, {}, {path.front(), path.back()}, 0.0,
-                                exit ? PlanDoor::WayOut::yes : PlanDoor::WayOut::unknown,
-                                label_of(properties, "name")});
+        level->doors.push_back({source, {}, {path.front(), path.back()}, 0.0, exit, label_of(properties, "name")});
       }
     });
   }

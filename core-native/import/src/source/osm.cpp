@@ -260,9 +260,7 @@ class Reader {
     }
     const double width = door_width(node.tags, from);
     for (const double number : on) {
-      level(number).doors.push_back({from, {}, {node.at}, width,
-                                     entrance ? PlanDoor::WayOut::yes : PlanDoor::WayOut::unknown,
-                                     tag(node.tags, "name")});
+      level(number).doors.push_back({from, {}, {node.at}, width, entrance, tag(node.tags, "name")});
     }
   }
 

@@ -46,12 +46,11 @@ struct PlanWall {
 
 /// A door or an opening: an area in the wall, a line across the opening, or a point on the wall.
 struct PlanDoor {
-  enum class WayOut { unknown, yes, no };
   Source source;
   Area area;
   Path path;                ///< Two points: the ends of the opening; one: its centre.
   double width = 0.0;       ///< Metres, 0 when the plan does not say.
-  WayOut way_out = WayOut::unknown;
+  bool way_out = false;     ///< The plan says that it leads out of the building.
   std::string name;
 };
 

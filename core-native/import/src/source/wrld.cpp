@@ -43,7 +43,7 @@ void sort_feature(const json& feature, const Source& source, PlanLevel& level, R
   } else if (type == "wall" || type == "window") {
     level.walls.push_back({source, std::move(geometry.areas), {}, 0.0});
   } else if (type == "door") {
-    level.doors.push_back({source, std::move(geometry.areas), {}, 0.0, PlanDoor::WayOut::unknown, name});
+    level.doors.push_back({source, std::move(geometry.areas), {}, 0.0, false, name});
   } else if (type == "building_outline") {
     std::move(geometry.areas.begin(), geometry.areas.end(), std::back_inserter(level.outline));
   } else {
