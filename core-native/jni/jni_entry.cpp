@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <memory>
 #include <new>
 #include <optional>
 #include <span>
@@ -68,6 +70,13 @@ echoway::BeltConfig belt_from(jint sensors, jdouble radius_m, jdouble beam_rad, 
   return echoway::BeltHeader{sensors, radius_m, known(beam_rad), known(slot_s), {}}.apply_to({});
 }
 
+/// 0, and error[0] set, when it could not be opened.
+jlong handle_of(JNIEnv* env, echoway::Result<std::unique_ptr<Session>> session, jobjectArray error) {
+  if (session.ok()) return session_table().add(std::move(session).value());
+  explain(env, error, session.error());
+  return 0;
+}
+
 /// Runs `input` on the session and writes the estimate it leaves behind. Returns what `input` does, or an error.
 template <class Input>
 jint feed(JNIEnv* env, jlong handle, jobject estimate_out, Input input) {
@@ -130,10 +139,10 @@ JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_plan(JNIEnv* env, jclass
 }
 
 /// Handle of a new session, or 0 with error[0] set.
-JNIEXPORT jlong JNICALL Java_org_echoway_core_NativeCore_open(JNIEnv* env, jclass, jstring folder, jint sensors, jdouble radius_m,
-                                                              jdouble beam_rad, jdouble slot_s, jdouble temperature_c, jint room,
-                                                              jdouble x, jdouble y, jdouble heading, jlong seed,
-                                                              jobjectArray error) {
+JNIEXPORT jlong JNICALL Java_org_echoway_core_NativeCore_open(JNIEnv* env, jclass, jstring folder, jint sensors,
+                                                              jdouble radius_m, jdouble beam_rad, jdouble slot_s,
+                                                              jdouble temperature_c, jint room, jdouble x, jdouble y,
+                                                              jdouble heading, jlong seed, jobjectArray error) {
   return guarded(
       [&]() -> jlong {
         echoway::SessionConfig config;
@@ -141,10 +150,24 @@ JNIEXPORT jlong JNICALL Java_org_echoway_core_NativeCore_open(JNIEnv* env, jclas
         config.air_c = known(temperature_c);
         config.start = start_from(room, x, y, heading);
         config.seed = static_cast<std::uint64_t>(seed);
-        auto session = Session::open(std::filesystem::path(echoway::jni::to_utf8(env, folder)), config);
-        if (session.ok()) return session_table().add(std::move(session).value());
-        explain(env, error, session.error());
-        return 0;
+        return handle_of(env, Session::open(std::filesystem::path(echoway::jni::to_utf8(env, folder)), config), error);
+      },
+      0);
+}
+
+/// Handle of a new session in the building that an open one has loaded, or 0 with error[0] set. The old one stays open.
+JNIEXPORT jlong JNICALL Java_org_echoway_core_NativeCore_withBelt(JNIEnv* env, jclass, jlong handle, jint sensors,
+                                                                  jdouble radius_m, jdouble beam_rad, jdouble slot_s,
+                                                                  jint room, jdouble x, jdouble y, jdouble heading,
+                                                                  jobjectArray error) {
+  return guarded(
+      [&]() -> jlong {
+        const auto session = session_table().find(handle);
+        if (!session) return 0;
+        echoway::SessionConfig config = session->config();
+        config.belt = belt_from(sensors, radius_m, beam_rad, slot_s);
+        config.start = start_from(room, x, y, heading);
+        return handle_of(env, Session::open(session->building(), config), error);
       },
       0);
 }

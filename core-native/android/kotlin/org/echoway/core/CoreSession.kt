@@ -166,6 +166,27 @@ class CoreSession private constructor(handle: Long) : Closeable {
     /** The newest reading of each sensor, by sensor, with what in the plan explains it. The first call compiles the plan. */
     val scan: List<ExplainedEcho> get() = PictureLayout.echoes(picture.fill { checked(NativeCore.scan(open(), it)) })
 
+    /**
+     * A session on another [belt] in the building as it was loaded, whose files need not be there any more. The air is as
+     * this session has heard of it. Both are to be closed.
+     *
+     * @throws CoreException when the belt cannot be or the start does not exist in the building
+     */
+    fun withBelt(belt: BeltSetup, nowS: Double, start: Start = Start()): CoreSession = opened(nowS) { error ->
+        NativeCore.withBelt(
+            open(),
+            belt.sensors,
+            belt.radiusM,
+            belt.beamRad.orNaN,
+            belt.slotS.orNaN,
+            start.room,
+            start.at?.x.orNaN,
+            start.at?.y.orNaN,
+            start.heading.orNaN,
+            error,
+        )
+    }
+
     /** Safe to call twice. */
     override fun close() {
         val closing = handle.getAndSet(0L)
@@ -197,22 +218,27 @@ class CoreSession private constructor(handle: Long) : Closeable {
         private const val PICTURE_BYTES = 4096
 
         /** @throws CoreException when the building is unusable or the start does not exist in it */
-        fun open(building: File, nowS: Double, start: Start = Start(), belt: BeltSetup = BeltSetup(), seed: Long = 1): CoreSession {
+        fun open(building: File, nowS: Double, start: Start = Start(), belt: BeltSetup = BeltSetup(), seed: Long = 1): CoreSession =
+            opened(nowS) { error ->
+                NativeCore.open(
+                    building.path,
+                    belt.sensors,
+                    belt.radiusM,
+                    belt.beamRad.orNaN,
+                    belt.slotS.orNaN,
+                    belt.temperatureC.orNaN,
+                    start.room,
+                    start.at?.x.orNaN,
+                    start.at?.y.orNaN,
+                    start.heading.orNaN,
+                    seed,
+                    error,
+                )
+            }
+
+        private fun opened(nowS: Double, open: (error: Array<String?>) -> Long): CoreSession {
             val error = arrayOfNulls<String>(1)
-            val handle = NativeCore.open(
-                building.path,
-                belt.sensors,
-                belt.radiusM,
-                belt.beamRad.orNaN,
-                belt.slotS.orNaN,
-                belt.temperatureC.orNaN,
-                start.room,
-                start.at?.x.orNaN,
-                start.at?.y.orNaN,
-                start.heading.orNaN,
-                seed,
-                error,
-            )
+            val handle = open(error)
             if (handle == 0L) throw CoreException(error[0] ?: "The building could not be opened.")
             val session = CoreSession(handle)
             session.onTick(nowS) // fills the estimate

@@ -33,6 +33,20 @@ internal object NativeCore {
         error: Array<String?>,
     ): Long
 
+    @JvmStatic
+    external fun withBelt(
+        handle: Long,
+        sensors: Int,
+        radiusM: Double,
+        beamRad: Double,
+        slotS: Double,
+        room: Int,
+        x: Double,
+        y: Double,
+        heading: Double,
+        error: Array<String?>,
+    ): Long
+
     @JvmStatic external fun close(handle: Long)
 
     @JvmStatic external fun onBytes(handle: Long, bytes: ByteBuffer, length: Int, arrivalS: Double, estimateOut: ByteBuffer): Int

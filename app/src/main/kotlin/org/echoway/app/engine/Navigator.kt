@@ -235,10 +235,10 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
 
         /** The belt says that it has another number of sensors: so far they were thought to look where they do not. */
         private fun wear(other: BeltSetup) {
-            session.close()
             belt = other
             val stillThere = clock.nowS() - (heardSinceS ?: clock.nowS()) < STILL_THERE_S
-            session = CoreSession.open(building.folder, clock.nowS(), if (stillThere) start else Start(), belt)
+            // Not from the building's folder: the wearer may have deleted it since.
+            session = session.use { it.withBelt(belt, clock.nowS(), if (stillThere) start else Start()) }
             if (!stillThere) told.tryEmit(GuidanceEvent.BeltChanged(belt.sensors))
             (leading as? Wish.LeadTo)?.let(::grant) ?: loseWay()
         }

@@ -76,6 +76,18 @@ class NavigatorTest {
         assertTrue(state.hearsBelt)
     }
 
+    /** Whoever tidies up the phone on their way still gets there. */
+    @Test fun aBuildingThatIsDeletedWhileOneWalksInItIsWalkedOnInWithABeltOfOtherSensors() = runTest {
+        val belt = ScriptedBelt()
+        val navigator = navigating { belt }
+        advanceTimeBy(100)
+        (navigator.state.value as NavigationState.Running).building.folder.deleteRecursively()
+        belt.send(BeltEvent.Attached)
+        belt.send(BeltEvent.Bytes(WireSentence.status(12, "test"), 0.15))
+        advanceTimeBy(1_000)
+        assertEquals(12, (navigator.state.value as NavigationState.Running).belt.sensors.size)
+    }
+
     @Test fun aRecordingThatCannotBeReadIsSaid() = runTest {
         val navigator = navigating { ReplayedBelt(it) { throw IOException("there is no such recording") } }
         advanceTimeBy(100)
