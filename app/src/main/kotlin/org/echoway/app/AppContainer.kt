@@ -79,7 +79,7 @@ open class PhoneContainer(private val context: Context) : AppContainer {
         DataStoreSettings(DataStoreSettings.inFile { context.preferencesDataStoreFile("settings") })
     }
 
-    override val buildings: BuildingLibrary by lazy { BuildingLibrary.on(context, BundledBuildings(context, versionCode())) }
+    override val buildings: BuildingLibrary by lazy { BuildingLibrary.on(context, BundledBuildings(context, installed())) }
 
     override val navigator by lazy {
         val core = Executors.newSingleThreadExecutor { Thread(it, "echoway-core") }
@@ -139,9 +139,8 @@ open class PhoneContainer(private val context: Context) : AppContainer {
     private fun stepsAllowed() = Build.VERSION.SDK_INT < Build.VERSION_CODES.Q ||
         ContextCompat.checkSelfPermission(context, Manifest.permission.ACTIVITY_RECOGNITION) == PackageManager.PERMISSION_GRANTED
 
-    private fun versionCode(): Long = context.packageManager.getPackageInfo(context.packageName, 0).let {
-        if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.P) it.longVersionCode else 0L
-    }
+    /** When this app was installed or updated last. Its version is no measure: one that is being worked on keeps it. */
+    private fun installed(): Long = context.packageManager.getPackageInfo(context.packageName, 0).lastUpdateTime
 
     private companion object {
         const val WALKS = "walks"

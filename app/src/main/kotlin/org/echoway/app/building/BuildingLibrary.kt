@@ -16,7 +16,10 @@ import org.echoway.core.CoreException
 import org.echoway.core.Finding
 import org.echoway.core.PlanLoader
 
-/** The floor plans that came with the app, and those that the wearer brought, each in a folder of its own below [home]. */
+/**
+ * The floor plans that came with the app, and those that the wearer brought, each in a folder of its own below [home]. Where
+ * an update brings one of the same id as the wearer has, theirs is the one until they delete it.
+ */
 class BuildingLibrary(private val bundled: Buildings, private val home: File, private val workshop: File) : Buildings {
     private val changes = MutableStateFlow(0)
     private val importing = Mutex()
@@ -26,15 +29,15 @@ class BuildingLibrary(private val bundled: Buildings, private val home: File, pr
 
     override suspend fun all(): List<InstalledBuilding> {
         val own = withContext(Dispatchers.IO) { home.listFiles().orEmpty().mapNotNull(::load) }
-        return (bundled.all() + own).sortedBy { it.title }
+        return (own + bundled.all()).distinctBy { it.id }.sortedBy { it.title }
     }
 
     override suspend fun find(id: String): InstalledBuilding? =
-        bundled.find(id) ?: withContext(Dispatchers.IO) { folder(id)?.let(::load) }
+        withContext(Dispatchers.IO) { folder(id)?.let(::load) } ?: bundled.find(id)
 
     /** What the core would mend in a building, or why it cannot be used. Empty for one that is not there. */
     suspend fun check(id: String): List<Finding> {
-        val folder = bundled.find(id)?.folder ?: folder(id) ?: return emptyList()
+        val folder = find(id)?.folder ?: folder(id) ?: return emptyList()
         return withContext(Dispatchers.IO) { BuildingCheck.of(folder).findings.map { it.copy(file = File(it.file).name) } }
     }
 

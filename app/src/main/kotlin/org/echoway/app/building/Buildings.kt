@@ -26,9 +26,12 @@ interface Buildings {
     suspend fun find(id: String): InstalledBuilding?
 }
 
-/** Plans that came with the app, laid out as files once a version, because the core reads folders. */
-class BundledBuildings(private val context: Context, private val versionCode: Long) : Buildings {
-    private val folder = File(context.filesDir, "buildings/bundled-$versionCode")
+/**
+ * Plans that came with the app, laid out as files because the core reads folders: once for each [installed], another number
+ * after every update. Those of earlier ones are taken away.
+ */
+class BundledBuildings(private val context: Context, installed: Long) : Buildings {
+    private val folder = File(context.filesDir, "buildings/$BUNDLED$installed")
     private val installing = Mutex()
 
     override suspend fun all(): List<InstalledBuilding> = withContext(Dispatchers.IO) {
@@ -52,13 +55,21 @@ class BundledBuildings(private val context: Context, private val versionCode: Lo
     private suspend fun install() = installing.withLock {
         val partial = File(folder.parentFile, "partial")
         try {
-            if (!folder.isDirectory) layOut(partial)
+            if (!folder.isDirectory) {
+                dropEarlier()
+                layOut(partial)
+            }
         } catch (_: IOException) {
             // No room: the next who asks tries again.
         } finally {
             partial.deleteRecursively()
         }
     }
+
+    /** First, for they may be what fills the phone. */
+    private fun dropEarlier() = folder.parentFile?.listFiles().orEmpty()
+        .filter { it.name.startsWith(BUNDLED) }
+        .forEach { it.deleteRecursively() }
 
     private fun layOut(partial: File) {
         partial.deleteRecursively()
@@ -84,5 +95,6 @@ class BundledBuildings(private val context: Context, private val versionCode: Lo
 
     private companion object {
         const val CONFIG = "building.cfg"
+        const val BUNDLED = "bundled-"
     }
 }

@@ -28,6 +28,15 @@ class BundledBuildingsTest {
         }
     }
 
+    @Test fun anUpdateTakesAwayThePlansOfTheLastAndNoneThatTheWearerBrought() = runBlocking {
+        val own = File(context.filesDir, "buildings/imported/bundled-1/building.cfg").apply { parentFile!!.mkdirs() }
+        own.writeText("name \"Mine\"\n")
+        BundledBuildings(context, 1).all()
+        assertNotNull(BundledBuildings(context, 2).find("torgersen-lab"))
+        assertEquals(setOf("bundled-2", "imported"), File(context.filesDir, "buildings").list()!!.toSet())
+        assertEquals("name \"Mine\"\n", own.readText())
+    }
+
     @Test fun onAPhoneThatIsFullThereAreNoneUntilItHasRoom() = runBlocking {
         val folder = File(context.filesDir, "buildings")
         folder.writeText("where the folder should be")
