@@ -11,6 +11,9 @@ using namespace tracker;
 namespace {
 
 constexpr double kPaceGain = 1.0 / 64.0;          // Per firing: four seconds of walking.
+constexpr double kQuickFirings = 64.0;            // Of walking, over which the length of a step is learnt first:
+constexpr double kMostFirings = 160.0;            // four seconds, and ten once so many were heard.
+constexpr double kSharpSteps = 0.3;               // Metres: a place blurred by more does not tell how far a step led.
 constexpr double kShortestStep = 0.25;            // Metres.
 constexpr double kLongestStep = 1.1;
 constexpr double kSharpEnough = 0.5;              // Metres: where steps are counted from.
@@ -41,11 +44,18 @@ void BayesLocator::Core::learn_pace(double time_s) {
   const bool walks = summary_.walking > kSure && summary_.hypotheses[0].probability > kSure;
   const double cadence = hints_.cadence(time_s);
   if (cadence > 0.0) {
-    if (walks) step_length_ += kPaceGain * (std::clamp(summary_.pace / cadence, kShortestStep, kLongestStep) - step_length_);
+    if (walks) learn_step_length(summary_.pace / cadence);
     pace_ = std::clamp(step_length_ * cadence, 0.2, 1.8);
   } else if (walks) {
     pace_ = std::clamp(pace_ + kPaceGain * (summary_.pace - pace_), 0.2, 1.8);
   }
+}
+
+// A belief that slides off would teach a longer step, and the longer step carry it farther off.
+void BayesLocator::Core::learn_step_length(double metres) {
+  if (fit_.doubtful() || !(estimate_.sigma_m < kSharpSteps)) return;
+  step_firings_ = std::min(step_firings_ + 1.0, kMostFirings);
+  step_length_ += (std::clamp(metres, kShortestStep, kLongestStep) - step_length_) / std::max(step_firings_, kQuickFirings);
 }
 
 // Steps and turns count from where the place is known well, which is given up at the first doubt.

@@ -7,6 +7,7 @@
 namespace echoway::tracker {
 namespace {
 
+using scene::FloorLoops;
 using scene::Opening;
 using scene::RoomScene;
 
@@ -46,12 +47,14 @@ double settle_on_floor(Particle& p, scene::Scene& scene) noexcept {
     const double across = std::abs(cross(off, o.tangent));
     if (across > kStride + o.gap) continue;
     if (inside) return 1.0;
-    if (scene.room(o.to).floor.contains(o.to_neighbour(p.position))) {
+    const Vec2 there = o.to_neighbour(p.position);
+    const FloorLoops& next = scene.room(o.to).floor;
+    const bool within_wall = across <= o.gap + kWallSlack;
+    if (next.contains(there) || (within_wall && next.distance(there) < to_wall)) {
       enter(p, o);
       return 1.0;
     }
-    if (across > o.gap + kWallSlack) continue;
-    in_doorway = true;
+    in_doorway = in_doorway || within_wall;
   }
   if (in_doorway) return 1.0;
   const double outside = inside ? kBody - to_wall : kBody + to_wall;

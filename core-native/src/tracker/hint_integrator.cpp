@@ -26,6 +26,7 @@ constexpr double kStepWithoutWalking = 0.05;   // Likelihood of a step event whi
 constexpr double kStepOnTheSpot = 0.6;         // and while turning: feet that turn step as well.
 constexpr double kWalkersTurn = degrees(20.0); // rad/s: faster, and a turn is more and more likely one on the spot,
 constexpr double kTurnOnTheSpot = degrees(60.0);   // from here on as surely as a turn can tell.
+constexpr double kTurnOfAStep = degrees(25.0);     // Who turns by more with a step, and with two, turns on the spot.
 
 }  // namespace
 
@@ -129,7 +130,8 @@ void HintIntegrator::take(const MotionHint& hint) noexcept {
     case MotionKind::step: {
       const double since = hint.time_s - last_step_;
       if (since < kShortestStep) return;
-      if (since < kLongestStep) note_step_interval(since);
+      const bool led_on = step_led_on();
+      if (since < kLongestStep && led_on) note_step_interval(since);
       last_step_ = hint.time_s;
       fresh_step_ = true;
       steps_ += 1.0 - turning_on_the_spot(hint.time_s);
@@ -141,6 +143,14 @@ void HintIntegrator::take(const MotionHint& hint) noexcept {
 void HintIntegrator::note_step_interval(double seconds) noexcept {
   intervals_[interval_count_++ % kIntervals] = seconds;
   step_interval_ = step_interval_ > 0.0 ? 0.7 * step_interval_ + 0.3 * seconds : seconds;
+}
+
+// Feet that turn on the spot step faster than on the way, and go nowhere. A phone on a thigh swings as far, and back again.
+bool HintIntegrator::step_led_on() noexcept {
+  const double turn = turned_ + turn_;
+  const double step = std::abs(turn - turn_at_step_), two_steps = std::abs(turn - turn_at_step_before_);
+  turn_at_step_before_ = std::exchange(turn_at_step_, turn);
+  return step < kTurnOfAStep || two_steps < kTurnOfAStep;
 }
 
 bool HintIntegrator::in_step(double time_s) const noexcept {
@@ -175,6 +185,7 @@ Interval HintIntegrator::close(double time_s, double seconds) noexcept {
   interval.seconds = seconds;
   interval.turn_known = time_s - last_rate_time_ < kStaleRate || time_s - last_heading_time_ < kStaleRate;
   interval.turn = turn_;
+  turned_ += turn_;
   interval.in_step = in_step(time_s);
   interval.steps = std::exchange(steps_, 0.0);
   turn_ = 0.0;

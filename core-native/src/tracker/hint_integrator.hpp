@@ -38,7 +38,7 @@ class HintIntegrator {
     double walking = 1.0;
   };
   [[nodiscard]] GaitEvidence take_gait_evidence(double time_s, double seconds) noexcept;
-  /// Steps a second, the median of the last ones; 0 when nobody is stepping or too few steps were heard.
+  /// Steps a second on the way, the median of the last ones; 0 when nobody is stepping or too few steps were heard.
   [[nodiscard]] double cadence(double time_s) const noexcept;
   /// Whether it is known how fast steps follow.
   [[nodiscard]] bool in_step(double time_s) const noexcept;
@@ -50,6 +50,8 @@ class HintIntegrator {
  private:
   void reset_clock() noexcept;
   void note_step_interval(double seconds) noexcept;
+  /// Whether the step that has just been heard led on, rather than round on the spot.
+  [[nodiscard]] bool step_led_on() noexcept;
   /// Between 0 and 1, by the gyroscope; 0 without one.
   [[nodiscard]] double turning_on_the_spot(double time_s) const noexcept;
 
@@ -67,7 +69,9 @@ class HintIntegrator {
 
   double clock_ = 0.0;
   bool clock_set_ = false;
-  double turn_ = 0.0;                ///< Since the interval began.
+  double turn_ = 0.0;                ///< Since the interval began,
+  double turned_ = 0.0;              ///< before that,
+  double turn_at_step_ = 0.0, turn_at_step_before_ = 0.0;   ///< and in all, at the last steps.
   double rate_ = 0.0;
   double held_ = 0.0;                ///< Of it, counted since the last reading by holding that one.
   double first_rate_time_ = 0.0;
@@ -80,7 +84,7 @@ class HintIntegrator {
   double last_step_ = -1e300;
   double step_interval_ = 0.0;       ///< Smoothed; 0 before two steps.
   static constexpr std::size_t kIntervals = 5;
-  std::array<double, kIntervals> intervals_{};   ///< Seconds between the last steps.
+  std::array<double, kIntervals> intervals_{};   ///< Seconds between the last steps that led on.
   std::size_t interval_count_ = 0;
   bool fresh_step_ = false;
   double steps_ = 0.0;               ///< Since the interval began.

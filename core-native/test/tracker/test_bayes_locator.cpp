@@ -66,6 +66,37 @@ TEST(BayesLocator, KeepsHoldOfAWearerThroughRoomsAndDoors) {
   EXPECT_GT(score.room_share, 0.95);
 }
 
+// How many firings later than the wearer the estimate goes from room to room, in the mean; less than nothing when it is early.
+double lateness(Locator& locator, const Building& building, const sim::Simulation& walk) {
+  std::vector<RoomIndex> said;
+  test::play(walk, locator, [&](std::size_t) { said.push_back(locator.estimate().room); }, true);
+  constexpr std::size_t kAbout = 16;
+  double late = 0.0;
+  int crossings = 0;
+  for (std::size_t i = kAbout; i + kAbout < said.size(); ++i) {
+    const RoomIndex to = building.find_room(walk.truth[i].room);
+    if (walk.truth[i - 1].room == walk.truth[i].room) continue;
+    const auto about = said.begin() + static_cast<std::ptrdiff_t>(i - kAbout);
+    const auto entered = std::find(about, about + 2 * kAbout, to);
+    late += static_cast<double>(entered - about) - static_cast<double>(kAbout);
+    ++crossings;
+  }
+  EXPECT_GT(crossings, 1);
+  return late / crossings;
+}
+
+// The walls are half a foot thick: a tracker for which a room ends behind its doorway comes two to three firings late.
+TEST(BayesLocator, ARoomEndsInTheMiddleOfADoorway) {
+  const Building building = *load_building(std::string(ECHOWAY_MAPS_DIR) + "/similar-rooms");
+  double late = 0.0;
+  for (std::uint64_t seed = 11; seed <= 14; ++seed) {
+    const auto walk = walk_through(building, seed, 90.0, sim::Profile::empty);
+    BayesLocator locator(building, walk.scans.belt.apply_to({}), start_at(building, walk.truth.front()));
+    late += lateness(locator, building, walk) / 4.0;
+  }
+  EXPECT_NEAR(late, 0.0, 1.0) << "firings";
+}
+
 // Cluttered rooms, people about, ghosts: most echoes come from what the plan does not know. A model that reckons with less of
 // it loses two of these walks.
 TEST(BayesLocator, HoldsAWearerAmongMoreStrangersThanThingsOfThePlan) {

@@ -25,6 +25,27 @@ TEST(HintIntegrator, TellHowFastStepsFollowThoughOneIsMissedAndOneInvented) {
   EXPECT_NEAR(walked({0.0, 0.6, 1.2, 1.5, 1.8, 2.4, 3.0}).cadence(3.1), 1.0 / 0.6, 1e-9) << "the one at 1.5 s was invented";
 }
 
+// Feet that turn on the spot step faster than on the way, and go nowhere.
+TEST(HintIntegrator, TellThePaceOfTheWayAlsoAfterATurnOnTheSpot) {
+  HintIntegrator hints;
+  const auto turn_at = [&](double degrees_a_second, double from, double to) {
+    for (double t = from; t < to; t += 0.02) hints.on_hint({t, MotionKind::yaw_rate, degrees(degrees_a_second)});
+    (void)hints.close(to, 1.0 / 16.0);
+  };
+  double t = 0.0;
+  for (; t < 4.5; t += 1.2) {
+    turn_at(0.0, t, t + 1.2);
+    hints.on_hint({t + 1.2, MotionKind::step, 1.0});
+  }
+  for (const double end = t + 3.0; t < end; t += 0.5) {
+    turn_at(90.0, t, t + 0.5);
+    hints.on_hint({t + 0.5, MotionKind::step, 1.0});
+  }
+  (void)hints.close(t, 1.0 / 16.0);
+  EXPECT_NEAR(hints.cadence(t), 1.0 / 1.2, 1e-6);
+  EXPECT_TRUE(hints.in_step(t));
+}
+
 TEST(HintIntegrator, TellNoPaceOfWhoStandsOrHasJustSetOut) {
   EXPECT_EQ(walked({}).cadence(1.0), 0.0);
   EXPECT_EQ(walked({0.0, 0.6}).cadence(0.7), 0.0);

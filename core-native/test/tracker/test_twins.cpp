@@ -136,8 +136,8 @@ TEST(Twins, AreNotTakenForTheWearersPlaceForLong) {
   const auto lab = load_building(ECHOWAY_MAPS_DIR "/torgersen-lab");
   ASSERT_TRUE(lab);
   double seconds = 0.0;
-  for (const std::uint64_t seed : {40024, 40029, 40048, 40136, 40147}) seconds += seconds_turned_about(*lab, 101 * seed + 7);
-  EXPECT_LT(seconds, 60.0);
+  for (const std::uint64_t seed : {40079, 40096, 40136, 40191, 40227, 40234}) seconds += seconds_turned_about(*lab, 101 * seed + 7);
+  EXPECT_LT(seconds, 55.0) << "twice as long when only what was found is believed, half as long with its twins";
 }
 
 }  // namespace
