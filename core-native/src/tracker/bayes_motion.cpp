@@ -41,6 +41,7 @@ void BayesLocator::Core::reckon_on(const Interval& interval) {
 
 // A wearer's steps are of much the same length; how fast they follow tells the pace before the echoes do.
 void BayesLocator::Core::learn_pace(double time_s) {
+  if (away_ > kPerhapsAway) return hints_.forget_cadence();   // Treads are shorter than steps, and follow faster.
   const bool walks = summary_.walking > kSure && summary_.hypotheses[0].probability > kSure;
   const double cadence = hints_.cadence(time_s);
   if (cadence > 0.0) {

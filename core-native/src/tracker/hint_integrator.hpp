@@ -40,6 +40,8 @@ class HintIntegrator {
   [[nodiscard]] GaitEvidence take_gait_evidence(double time_s, double seconds) noexcept;
   /// Steps a second on the way, the median of the last ones; 0 when nobody is stepping or too few steps were heard.
   [[nodiscard]] double cadence(double time_s) const noexcept;
+  /// Forgets how fast steps follow: those heard lately were none of the way's.
+  void forget_cadence() noexcept { interval_count_ = 0; }
   /// Whether it is known how fast steps follow.
   [[nodiscard]] bool in_step(double time_s) const noexcept;
   /// What the gyroscope read during a second of standing that has just ended, once.

@@ -46,6 +46,15 @@ TEST(HintIntegrator, TellThePaceOfTheWayAlsoAfterATurnOnTheSpot) {
   EXPECT_TRUE(hints.in_step(t));
 }
 
+TEST(HintIntegrator, TellThePaceAnewAfterStairs) {
+  HintIntegrator hints = walked({0.0, 0.6, 1.2, 1.8, 2.4, 3.0});
+  hints.forget_cadence();
+  EXPECT_EQ(hints.cadence(3.1), 0.0);
+  for (const double t : {4.0, 5.2, 6.4}) hints.on_hint({t, MotionKind::step, 1.0});
+  (void)hints.close(6.5, 1.0 / 16.0);
+  EXPECT_NEAR(hints.cadence(6.5), 1.0 / 1.2, 0.1);
+}
+
 TEST(HintIntegrator, TellNoPaceOfWhoStandsOrHasJustSetOut) {
   EXPECT_EQ(walked({}).cadence(1.0), 0.0);
   EXPECT_EQ(walked({0.0, 0.6}).cadence(0.7), 0.0);
