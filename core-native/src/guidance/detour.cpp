@@ -23,8 +23,8 @@ struct Step {
 constexpr std::array<Step, 3> kByWalls{{{0.25, 3.0}, {0.35, 1.6}, {0.45, 1.2}}};
 constexpr std::array<Step, 5> kByThings{{{0.2, 30.0}, {0.3, 8.0}, {0.4, 3.0}, {0.55, 1.6}, {0.8, 1.15}}};
 constexpr double kWidest = 0.8;
-/// Who passes a point this near is stopped by it, metres.
-constexpr double kBody = 0.3;
+/// Who passes a point of what stopped them this near is stopped by it again; from there on there may be a gap beside it, metres.
+constexpr double kBody = 0.2;
 
 /// Calls `visit(cell, dx, dy)` for the cells of a square field of `side` that lie at most `around` cells from `middle`.
 template <class Visit>
