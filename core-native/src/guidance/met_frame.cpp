@@ -8,6 +8,7 @@ namespace echoway::guidance {
 namespace {
 
 constexpr double kPlay = 0.2;    ///< Metres.
+constexpr double kFarBeyond = 0.7;  ///< What is heard so far beyond a door's wall is in the next room, metres.
 constexpr double kLasts = 90.0;  ///< What was met says where the wearer is for so long, s.
 
 /// Whether who goes from `from` to `ahead` can have met the frame that they were about to pass.
@@ -43,7 +44,6 @@ void MetFrame::weigh(const Doorway& doorway, const Pose2& taken, double now) noe
   constexpr double kBody = 0.22;      // metres from the wearer's middle to what they meet
   constexpr double kOther = 0.06;     // something else may have been met,
   constexpr double kUnheard = 0.3;    // or have answered
-  constexpr double kFarBeyond = 0.7;  // metres
   const double half = 0.5 * doorway.width();
   const Vec2 ahead = unit_from_angle(taken.heading);
   const double slope = dot(ahead, doorway.through());
@@ -115,6 +115,20 @@ bool MetFrame::hear(const View& view, const Way& way) {
 bool MetFrame::hears_wall(const Doorway& doorway, const Pose2& pose, double now) const noexcept {
   const auto echo = heard_->toward(wrap_angle(doorway.axis() - pose.heading), now);
   return echo && *echo < doorway.before(pose.position) + kPlay;
+}
+
+bool MetFrame::hears_through(const View& view, const Way& way, double direction) const noexcept {
+  constexpr double kNearest = 0.4;              // metres from the door's wall: who stands nearer may not hear it
+  constexpr double kFarthest = 1.3;             // nor does it fill a sensor's beam from farther away
+  constexpr double kAslant = degrees(30.0);
+  const Pose2& pose = view.estimate->pose;
+  const auto doorway = next_doorway(view.estimate->room, way);
+  if (!doorway) return false;
+  const double near = doorway->before(pose.position);
+  const double through = wrap_angle(doorway->axis() - pose.heading);
+  if (near < kNearest || near > kFarthest || std::abs(wrap_angle(through - direction)) > kAslant) return false;
+  const auto echo = heard_->toward(through, view.now);
+  return echo && *echo > near + kFarBeyond;
 }
 
 void MetFrame::watch(const Estimate& e, bool walking) noexcept {

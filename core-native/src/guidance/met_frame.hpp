@@ -30,6 +30,9 @@ class MetFrame {
   [[nodiscard]] bool meet(const View& view, const Way& way);
   /// The same of who is about to go there, is taken to be right before the opening, and hears a wall there.
   [[nodiscard]] bool hear(const View& view, const Way& way);
+  /// Whether the belt hears the next room through the way's next doorway. The wearer stands before it and is to go
+  /// `direction` from the chest, about straight through: they are before the opening, for a wall there would answer sooner.
+  [[nodiscard]] bool hears_through(const View& view, const Way& way, double direction) const noexcept;
   /// What was found holds while the place goes on as the wearer does: one that moves although they stand was wrong before.
   void watch(const Estimate& estimate, bool walking) noexcept;
   [[nodiscard]] double last_met() const noexcept { return met_s_; }

@@ -179,14 +179,15 @@ bool Steering::is_kept_from_turning(const View& view, const Cue& cue, double dir
 }
 
 /// Whether the belt hears, whatever the place is, that it is free where the wearer, who stands, is to go, and the plan has
-/// no wall there as long as the place is right. Beside a wall or a door's frame nothing is taken to be free that is not sure to
-/// be: a wall that near may not be heard.
+/// no wall there as long as the place is right; before a door the next room is enough, for the door's wall would answer sooner.
+/// Beside a wall or a door's frame nothing is taken to be free that is not sure to be: a wall that near may not be heard.
 bool Steering::hears_free(const View& view, double direction, const Cue& cue) const {
   constexpr double kFree = 1.0;      // metres
   constexpr double kByAWall = 0.45;  // metres
   constexpr Demand kByThePlan{0.5, 0.0};
   if (view.walking || router_->space(view.estimate->room).clearance(view.estimate->pose.position, kByAWall) < kByAWall) return false;
-  return heard_->is_open(direction, kFree, view.now) && outlook_.clear_ahead(view, cue, direction, kByThePlan);
+  const bool open = heard_->is_open(direction, kFree, view.now) || frame_.hears_through(view, *way_, direction);
+  return open && outlook_.clear_ahead(view, cue, direction, kByThePlan);
 }
 
 /// Whether the belt itself hears a wall where the wearer, who stands, is to go: one that the plan has elsewhere, or a thing.

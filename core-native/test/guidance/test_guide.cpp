@@ -761,6 +761,26 @@ TEST(Guide, WhoHearsThatItIsFreeIsTurnedThereThoughTheWallIsNotSurelyFarEnough) 
   }
 }
 
+/// Where a wearer is soon sent who is vaguely known to stand before a door, and hears something ahead.
+std::optional<Cue> first_step_before_a_door(double heard_ahead_m) {
+  const Building rooms = test::make_grid(2, 1, 4.0);
+  Listener wearer(rooms);
+  Estimate here = at(0, 0, {3.5, 2.0}, 0.0);
+  here.sigma_m = 0.35;
+  const auto heard = wall_heard(0.0, heard_ahead_m);
+  (void)wearer.hear(3.0, here, heard);
+  EXPECT_TRUE(wearer.guide.set_destination({Goal::Kind::spot, 0, {1, {3.0, 2.0}}}));
+  return first_step(wearer.hear(5.0, here, heard));
+}
+
+TEST(Guide, WhoHearsTheNextRoomThroughTheDoorIsSentThroughItWithoutWaitingToBeKnownBetter) {
+  const auto step = first_step_before_a_door(1.8);
+  ASSERT_TRUE(step);
+  EXPECT_EQ(step->kind, CueKind::go_straight);
+  EXPECT_GT(step->distance_m, 1.0) << "into the next room";
+  for (const double heard : {0.9, Firing::kNoEcho}) EXPECT_FALSE(first_step_before_a_door(heard)) << heard << ": it may be the wall";
+}
+
 TEST_F(GuideTest, WhoHearsAWallWhereTheDoorShouldBeIsLedAlongItAndNotIntoIt) {
   const Estimate before_door = at(0, 0, {4.6, 2.5}, 0.0);
   (void)wearer.hear(3.0, before_door, wall_heard(0.0, 0.25));
