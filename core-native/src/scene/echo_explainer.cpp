@@ -59,7 +59,7 @@ Turn from_all_reflective(const Reflector& r, const Ray& ray) noexcept {
   Turn best;
   const double sine = std::sqrt(std::max(0.0, 1.0 - ray.cosine * ray.cosine));
   for (const double s : {sine, -sine}) {
-    const Vec2 side{ray.cosine * ray.axis.x - s * ray.axis.y, s * ray.axis.x + ray.cosine * ray.axis.y};
+    const Vec2 side = rotated(ray.axis, {ray.cosine, s});
     const double approach = -dot(r.normal, side);
     if (std::abs(approach) < 0.1) continue;  // grazing
     const double range = r.signed_distance(ray.eye) / approach;

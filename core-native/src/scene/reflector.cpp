@@ -23,11 +23,10 @@ Reflector make_point_reflector(ReflectorKind kind, Vec2 at) noexcept {
 }
 
 Reflector transformed(const Reflector& r, Vec2 rotation, Vec2 shift) noexcept {
-  const auto turn = [&](Vec2 v) { return Vec2{rotation.x * v.x - rotation.y * v.y, rotation.y * v.x + rotation.x * v.y}; };
   Reflector t = r;
-  t.a = turn(r.a) + shift;
-  t.b = turn(r.b) + shift;
-  t.normal = turn(r.normal);
+  t.a = rotated(r.a, rotation) + shift;
+  t.b = rotated(r.b, rotation) + shift;
+  t.normal = rotated(r.normal, rotation);
   t.offset = -dot(t.normal, t.a);
   t.own_index = -1;
   return t;

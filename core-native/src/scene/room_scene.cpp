@@ -164,21 +164,17 @@ void place_grid(RoomScene& scene, double cell_size, std::uint32_t& next_cell) {
 struct Frame {
   Vec2 rotation{1.0, 0.0};
   Vec2 shift{};
-  [[nodiscard]] Vec2 apply(Vec2 p) const noexcept {
-    return {rotation.x * p.x - rotation.y * p.y + shift.x, rotation.y * p.x + rotation.x * p.y + shift.y};
-  }
+  [[nodiscard]] Vec2 apply(Vec2 p) const noexcept { return rotated(p, rotation) + shift; }
 };
 
 // Takes points of the room beyond `o` into the frame of the room that has `o`.
 Frame inverse(const Opening& o) noexcept {
   const Vec2 r{o.rotation.x, -o.rotation.y};
-  return {r, -Vec2{r.x * o.shift.x - r.y * o.shift.y, r.y * o.shift.x + r.x * o.shift.y}};
+  return {r, -rotated(o.shift, r)};
 }
 
 Frame compose(const Frame& outer, const Frame& inner) noexcept {
-  return {{outer.rotation.x * inner.rotation.x - outer.rotation.y * inner.rotation.y,
-           outer.rotation.y * inner.rotation.x + outer.rotation.x * inner.rotation.y},
-          outer.apply(inner.shift)};
+  return {rotated(inner.rotation, outer.rotation), outer.apply(inner.shift)};
 }
 
 bool same_point_exists(const RoomScene& scene, const Reflector& r) {

@@ -18,9 +18,7 @@ struct Opening {
   Vec2 shift{};               ///< ... and the shift that follows it.
 
   [[nodiscard]] Segment span() const noexcept { return {centre - half_width * tangent, centre + half_width * tangent}; }
-  [[nodiscard]] Vec2 to_neighbour(Vec2 p) const noexcept {
-    return {rotation.x * p.x - rotation.y * p.y + shift.x, rotation.y * p.x + rotation.x * p.y + shift.y};
-  }
+  [[nodiscard]] Vec2 to_neighbour(Vec2 p) const noexcept { return rotated(p, rotation) + shift; }
 };
 
 /// A corner of the floor's boundary loops is `loop_begin`-indexed into `vertices`.

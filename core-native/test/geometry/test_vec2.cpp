@@ -21,5 +21,13 @@ TEST(Hypotenuse, IsInfiniteOnlyForWhatIs) {
   EXPECT_TRUE(std::isnan(hypotenuse(std::numeric_limits<double>::quiet_NaN(), 1.0)));
 }
 
+TEST(Rotated, TurnsCounterClockwiseByTheUnitsAngle) {
+  const Vec2 quarter{0.0, 1.0};
+  EXPECT_EQ(rotated({2.0, 1.0}, quarter), perpendicular({2.0, 1.0}));
+  EXPECT_EQ(rotated({1.0, 0.0}, unit_from_angle(0.3)), unit_from_angle(0.3));
+  const Vec2 twice = rotated(unit_from_angle(0.3), unit_from_angle(0.4));
+  EXPECT_NEAR(distance(twice, unit_from_angle(0.7)), 0.0, 1e-15);
+}
+
 }  // namespace
 }  // namespace echoway

@@ -31,8 +31,7 @@ struct Pose2 {
   /// The inverse of transform().
   [[nodiscard]] Vec2 inverse_transform(Vec2 outer) const noexcept {
     const Vec2 e = unit_from_angle(heading);
-    const Vec2 d = outer - position;
-    return {e.x * d.x + e.y * d.y, -e.y * d.x + e.x * d.y};
+    return rotated(outer - position, {e.x, -e.y});
   }
 
   /// Composition: `(*this) * local`, heading wrapped.

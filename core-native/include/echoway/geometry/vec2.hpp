@@ -42,6 +42,12 @@ struct Vec2 {
 [[nodiscard]] constexpr Vec2 perpendicular(Vec2 v) noexcept { return {-v.y, v.x}; }
 
 [[nodiscard]] inline Vec2 unit_from_angle(double radians) noexcept { return {std::cos(radians), std::sin(radians)}; }
+
+/// `v` turned counter-clockwise by the angle of `unit`: +x comes to lie on `unit`.
+[[nodiscard]] constexpr Vec2 rotated(Vec2 v, Vec2 unit) noexcept {
+  return {unit.x * v.x - unit.y * v.y, unit.y * v.x + unit.x * v.y};
+}
+
 [[nodiscard]] inline bool is_finite(Vec2 v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y); }
 
 }  // namespace echoway

@@ -73,8 +73,7 @@ class PathFinder {
   void look_by_mirrors() {
     std::vector<Mirror> mirrors;
     for (double angle = -fan_; angle <= fan_; angle += kFanStep) {
-      const Vec2 e = unit_from_angle(angle);
-      const Vec2 ray{sensor_.axis.x * e.x - sensor_.axis.y * e.y, sensor_.axis.y * e.x + sensor_.axis.x * e.y};
+      const Vec2 ray = rotated(unit_from_angle(angle), sensor_.axis);
       const View::Hit hit = view_.first_panel(sensor_.room, sensor_.face, ray, 0.5 * max_path_);
       if (hit.panel == nullptr || (!mirrors.empty() && mirrors.back().panel == hit.panel)) continue;
       const bool known =

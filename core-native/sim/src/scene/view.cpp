@@ -15,13 +15,12 @@ constexpr double kSkin = 1e-3;  // Metres from either end of a line within which
 RoomScene moved(const RoomScene& scene, const Pose2& frame) {
   RoomScene out = scene;
   const Vec2 e = unit_from_angle(frame.heading);
-  const auto turn = [e](Vec2 v) { return Vec2{e.x * v.x - e.y * v.y, e.y * v.x + e.x * v.y}; };
-  const auto move = [&](Vec2 p) { return frame.position + turn(p); };
+  const auto move = [&](Vec2 p) { return frame.position + rotated(p, e); };
   for (Panel& panel : out.panels) panel.at = {move(panel.at.a), move(panel.at.b)};
   for (Corner& corner : out.corners) {
     corner.at = move(corner.at);
-    corner.u = turn(corner.u);
-    corner.v = turn(corner.v);
+    corner.u = rotated(corner.u, e);
+    corner.v = rotated(corner.v, e);
   }
   for (Scatterer& scatterer : out.scatterers) scatterer.at = move(scatterer.at);
   return out;
@@ -48,10 +47,9 @@ void shut(const Doorway& doorway, const Pose2& frame, RoomScene& scene) {
   const double depth = std::max(kSetBack, distance(doorway.middle(), doorway.centre()));
   const Vec2 back = -depth * doorway.inward;
   const Vec2 axis = unit_from_angle(frame.heading);
-  const auto turned = [&](Vec2 v) { return Vec2{axis.x * v.x - axis.y * v.y, axis.y * v.x + axis.x * v.y}; };
   const Segment leaf = moved(Segment{doorway.opening.a + back, doorway.opening.b + back}, frame);
-  const Vec2 along = turned(doorway.along());
-  const Vec2 inward = turned(doorway.inward);
+  const Vec2 along = rotated(doorway.along(), axis);
+  const Vec2 inward = rotated(doorway.inward, axis);
   scene.panels.push_back({leaf, kDoorReflectivity});
   scene.corners.push_back({leaf.a, along, inward, doorway.width(), depth, kDoorReflectivity});
   scene.corners.push_back({leaf.b, -along, inward, doorway.width(), depth, kDoorReflectivity});
