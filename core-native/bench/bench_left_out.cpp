@@ -1,5 +1,5 @@
-// What it saves that a firing looks only at what its place can hear (docs/leaving-out.md): the expected echoes of the same
-// particles from the place's list and from the whole room, in rooms of the project's maps.
+// What it saves that a firing looks only at what its place can hear (docs/leaving-out.md): the expected echoes of the
+// same particles from the place's list and from the whole room, in rooms of the project's maps.
 #include <benchmark/benchmark.h>
 
 #include <filesystem>
@@ -77,13 +77,16 @@ void fire_all_round(const Crowd& crowd, Expect expect) {
 }
 
 void count_expectations(benchmark::State& state) {
-  state.counters["s_per_expectation"] = benchmark::Counter(15.0 * kPlaces * kParticles * static_cast<double>(state.iterations()),
-                                                           benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["s_per_expectation"] =
+      benchmark::Counter(15.0 * kPlaces * kParticles * static_cast<double>(state.iterations()),
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 void fire_at_places(const std::vector<Crowd>& crowds, const tracker::EchoModel& model, scene::Scene& scene) {
   for (const Crowd& crowd : crowds) {
-    fire_all_round(crowd, [&](const tracker::Particle& p, const tracker::Shot& shot) { return tracker::expect(p, shot, model, scene); });
+    fire_all_round(crowd, [&](const tracker::Particle& p, const tracker::Shot& shot) {
+      return tracker::expect(p, shot, model, scene);
+    });
   }
 }
 
@@ -116,7 +119,9 @@ void from_the_whole_room(benchmark::State& state, const char* map) {
   for (const Crowd& crowd : crowds) rooms.push_back(std::make_unique<test::WholeRoom>(compiler.compile(crowd.room)));
   for (auto _ : state) {
     for (std::size_t i = 0; i < crowds.size(); ++i) {
-      fire_all_round(crowds[i], [&](const tracker::Particle& p, const tracker::Shot& shot) { return rooms[i]->expect(p, shot, model); });
+      fire_all_round(crowds[i], [&](const tracker::Particle& p, const tracker::Shot& shot) {
+        return rooms[i]->expect(p, shot, model);
+      });
     }
   }
   count_expectations(state);
@@ -126,7 +131,8 @@ const bool kRegistered = [] {
   const auto named = [](const char* what, const char* map) { return std::string("left_out/") + what + "/" + map; };
   for (const char* map : kMaps) {
     benchmark::RegisterBenchmark(named("room", map).c_str(), from_the_whole_room, map)->Unit(benchmark::kMillisecond);
-    benchmark::RegisterBenchmark(named("comes", map).c_str(), from_the_place, map, false)->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark(named("comes", map).c_str(), from_the_place, map, false)
+        ->Unit(benchmark::kMillisecond);
     benchmark::RegisterBenchmark(named("stays", map).c_str(), from_the_place, map, true)->Unit(benchmark::kMillisecond);
   }
   return true;

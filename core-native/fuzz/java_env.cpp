@@ -23,7 +23,9 @@ JavaEnv::JavaEnv() {
   functions_.GetStringRegion = [](JNIEnv*, jstring text, jsize start, jsize length, jchar* out) {
     std::copy_n(object(text).text.begin() + start, length, out);
   };
-  functions_.NewString = [](JNIEnv* env, const jchar* units, jsize length) { return of(env).string({units, units + length}); };
+  functions_.NewString = [](JNIEnv* env, const jchar* units, jsize length) {
+    return of(env).string({units, units + length});
+  };
   functions_.GetDirectBufferAddress = [](JNIEnv*, jobject buffer) -> void* { return object(buffer).memory.get(); };
   functions_.GetDirectBufferCapacity = [](JNIEnv*, jobject buffer) {
     return object(buffer).memory ? static_cast<jlong>(object(buffer).size) : jlong{-1};
@@ -36,7 +38,9 @@ JavaEnv::JavaEnv() {
 
 JavaEnv::~JavaEnv() = default;
 
-JavaEnv::Object* JavaEnv::keep(std::unique_ptr<Object> object) { return objects_.emplace_back(std::move(object)).get(); }
+JavaEnv::Object* JavaEnv::keep(std::unique_ptr<Object> object) {
+  return objects_.emplace_back(std::move(object)).get();
+}
 
 jstring JavaEnv::string(std::u16string text) {
   auto made = std::make_unique<Object>();

@@ -10,8 +10,8 @@
 
 namespace echoway::fuzz {
 
-/// As much of a Java virtual machine as the JNI library asks for: strings, direct buffers and arrays of objects. Everything
-/// is the environment's and lives as long as it does.
+/// As much of a Java virtual machine as the JNI library asks for: strings, direct buffers and arrays of objects.
+/// Everything is the environment's and lives as long as it does.
 class JavaEnv {
  public:
   JavaEnv();

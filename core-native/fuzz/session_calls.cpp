@@ -51,8 +51,12 @@ int fire(Session& session, Reader& in, std::uint8_t how, double time) {
   switch (how) {
     case 3: session.on_firing({time, static_cast<int>(in.byte()) - 8, in.number()}); break;
     case 5: return session.on_bytes(in.bytes(in.byte()), time);
-    case 6: send(session, EchoSentence{in.word(), static_cast<std::uint8_t>(in.byte() % kMaxSensors), in.word()}, time); break;
-    case 7: send(session, RangeSentence{in.word(), static_cast<std::uint8_t>(in.byte() % kMaxSensors), in.word()}, time); break;
+    case 6:
+      send(session, EchoSentence{in.word(), static_cast<std::uint8_t>(in.byte() % kMaxSensors), in.word()}, time);
+      break;
+    case 7:
+      send(session, RangeSentence{in.word(), static_cast<std::uint8_t>(in.byte() % kMaxSensors), in.word()}, time);
+      break;
     default: session.on_firing({time, in.byte() % 16, static_cast<double>(in.byte()) / 24.0});
   }
   return 1;

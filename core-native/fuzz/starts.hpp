@@ -5,8 +5,8 @@
 
 namespace echoway::fuzz {
 
-/// A start in plans::two_closets(); seldom one that must be searched for, since a search costs as much as a hundred other
-/// inputs.
+/// A start in plans::two_closets(); seldom one that must be searched for, since a search costs as much as a hundred
+/// other inputs.
 inline Start any_start(Reader& in) {
   Start start;
   const std::uint8_t what = in.byte();

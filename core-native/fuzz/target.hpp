@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-/// What the fuzzers throw bytes at. The ordinary tests replay the corpus through the same functions, so a target must not
-/// depend on libFuzzer.
+/// What the fuzzers throw bytes at. The ordinary tests replay the corpus through the same functions, so a target must
+/// not depend on libFuzzer.
 namespace echoway::fuzz {
 
 using Bytes = std::span<const std::uint8_t>;

@@ -7,8 +7,8 @@
 
 namespace echoway::jni {
 
-/// Writes values one after the other into a buffer, in the machine's byte order and without padding. Keeps counting when
-/// the buffer is full, so that a first try tells how large it must be.
+/// Writes values one after the other into a buffer, in the machine's byte order and without padding. Keeps counting
+/// when the buffer is full, so that a first try tells how large it must be.
 class ByteWriter {
  public:
   explicit ByteWriter(std::span<std::byte> out) noexcept : out_(out) {}

@@ -127,7 +127,8 @@ extern "C" {
 
 /// Bytes that the floor plan in a folder takes in PlanLayout; written when the buffer is large enough. kFailed with
 /// error[0] set when the building is unusable.
-JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_plan(JNIEnv* env, jclass, jstring folder, jobject out, jobjectArray error) {
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_plan(JNIEnv* env, jclass, jstring folder, jobject out,
+                                                             jobjectArray error) {
   return guarded(
       [&]() -> jint {
         const auto building = echoway::load_building(echoway::jni::to_utf8(env, folder));
@@ -172,20 +173,23 @@ JNIEXPORT jlong JNICALL Java_org_echoway_core_NativeCore_withBelt(JNIEnv* env, j
       0);
 }
 
-JNIEXPORT void JNICALL Java_org_echoway_core_NativeCore_close(JNIEnv*, jclass, jlong handle) { session_table().remove(handle); }
+JNIEXPORT void JNICALL Java_org_echoway_core_NativeCore_close(JNIEnv*, jclass, jlong handle) {
+  session_table().remove(handle);
+}
 
 /// The first `length` bytes of `bytes` arrived. Returns the firings they completed.
-JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_onBytes(JNIEnv* env, jclass, jlong handle, jobject bytes, jint length,
-                                                                jdouble arrival_s, jobject estimate_out) {
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_onBytes(JNIEnv* env, jclass, jlong handle, jobject bytes,
+                                                                jint length, jdouble arrival_s, jobject estimate_out) {
   const auto in = direct(env, bytes);
   if (length < 0 || static_cast<std::size_t>(length) > in.size()) return kBadBuffer;
-  const std::span<const std::uint8_t> arrived{reinterpret_cast<const std::uint8_t*>(in.data()), static_cast<std::size_t>(length)};
+  const std::span<const std::uint8_t> arrived{reinterpret_cast<const std::uint8_t*>(in.data()),
+                                              static_cast<std::size_t>(length)};
   return feed(env, handle, estimate_out, [&](Session& session) { return session.on_bytes(arrived, arrival_s); });
 }
 
 /// `kind`: see echoway::MotionKind.
-JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_onMotion(JNIEnv* env, jclass, jlong handle, jint kind, jdouble value,
-                                                                 jdouble time_s, jobject estimate_out) {
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_onMotion(JNIEnv* env, jclass, jlong handle, jint kind,
+                                                                 jdouble value, jdouble time_s, jobject estimate_out) {
   if (kind < 0 || kind > static_cast<jint>(echoway::MotionKind::heading)) return kFailed;
   const echoway::MotionHint hint{time_s, static_cast<echoway::MotionKind>(kind), value};
   return feed(env, handle, estimate_out, [&](Session& session) {
@@ -194,23 +198,25 @@ JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_onMotion(JNIEnv* env, jc
   });
 }
 
-JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_onTick(JNIEnv* env, jclass, jlong handle, jdouble now_s, jobject estimate_out) {
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_onTick(JNIEnv* env, jclass, jlong handle, jdouble now_s,
+                                                               jobject estimate_out) {
   return feed(env, handle, estimate_out, [&](Session& session) {
     session.on_tick(now_s);
     return 0;
   });
 }
 
-JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_onBelt(JNIEnv* env, jclass, jlong handle, jboolean attached, jdouble now_s,
-                                                               jobject estimate_out) {
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_onBelt(JNIEnv* env, jclass, jlong handle, jboolean attached,
+                                                               jdouble now_s, jobject estimate_out) {
   return feed(env, handle, estimate_out, [&](Session& session) {
     attached ? session.on_belt_attached(now_s) : session.on_belt_detached(now_s);
     return 0;
   });
 }
 
-JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_restart(JNIEnv* env, jclass, jlong handle, jint room, jdouble x, jdouble y,
-                                                                jdouble heading, jobject estimate_out, jobjectArray error) {
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_restart(JNIEnv* env, jclass, jlong handle, jint room, jdouble x,
+                                                                jdouble y, jdouble heading, jobject estimate_out,
+                                                                jobjectArray error) {
   return feed(env, handle, estimate_out, [&](Session& session) {
     const auto status = session.restart(start_from(room, x, y, heading));
     if (status.ok()) return 0;
@@ -231,7 +237,8 @@ JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_beltHealth(JNIEnv* env, 
       kFailed);
 }
 
-/// Everything that is wrong with the floor plan in a folder: bytes that it takes, written when the buffer is large enough.
+/// Everything that is wrong with the floor plan in a folder: bytes that it takes, written when the buffer is large
+/// enough.
 JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_check(JNIEnv* env, jclass, jstring folder, jobject out) {
   return guarded(
       [&]() -> jint {
@@ -241,17 +248,18 @@ JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_check(JNIEnv* env, jclas
       kFailed);
 }
 
-/// The next cue with its words. Bytes written, or 0 when there is none. `language`, `direction` and `length` are ordinals
-/// of echoway::Language, DirectionStyle and LengthStyle.
-JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_nextCue(JNIEnv* env, jclass, jlong handle, jint language, jint direction,
-                                                                jint length, jobject out) {
+/// The next cue with its words. Bytes written, or 0 when there is none. `language`, `direction` and `length` are
+/// ordinals of echoway::Language, DirectionStyle and LengthStyle.
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_nextCue(JNIEnv* env, jclass, jlong handle, jint language,
+                                                                jint direction, jint length, jobject out) {
   if (!is_style(language, direction, length)) return kFailed;
   return with_session(handle, [&](Session& session) -> jint {
     const auto buffer = direct(env, out);
     if (buffer.size() < echoway::jni::kCueFixedBytes) return kBadBuffer;
     echoway::Cue cue;
     if (!session.next_cue(cue)) return 0;
-    const echoway::SpeechStyle style{static_cast<echoway::Language>(language), static_cast<echoway::DirectionStyle>(direction),
+    const echoway::SpeechStyle style{static_cast<echoway::Language>(language),
+                                     static_cast<echoway::DirectionStyle>(direction),
                                      static_cast<echoway::LengthStyle>(length)};
     const std::string words = echoway::Speaker(session.building(), style).say(cue);
     return static_cast<jint>(echoway::jni::write_cue(cue, words, buffer));
@@ -259,15 +267,19 @@ JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_nextCue(JNIEnv* env, jcl
 }
 
 /// `kind` and `index`: see echoway::Goal; a spot is none of them. The way to the nearest exit is kind 3.
-JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_setDestination(JNIEnv* env, jclass, jlong handle, jint kind, jint index,
-                                                                       jboolean avoid_stairs, jobjectArray error) {
-  if (kind < static_cast<jint>(echoway::Goal::Kind::place) || kind > static_cast<jint>(echoway::Goal::Kind::room)) return kFailed;
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_setDestination(JNIEnv* env, jclass, jlong handle, jint kind,
+                                                                       jint index, jboolean avoid_stairs,
+                                                                       jobjectArray error) {
+  if (kind < static_cast<jint>(echoway::Goal::Kind::place) || kind > static_cast<jint>(echoway::Goal::Kind::room)) {
+    return kFailed;
+  }
   const echoway::Goal goal{static_cast<echoway::Goal::Kind>(kind), index, {}};
   const echoway::RoutePreferences preferences{avoid_stairs == JNI_TRUE};
   return wish(env, handle, error, [&](Session& session) { return session.set_destination(goal, preferences); });
 }
 
-JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_backTrack(JNIEnv* env, jclass, jlong handle, jobjectArray error) {
+JNIEXPORT jint JNICALL Java_org_echoway_core_NativeCore_backTrack(JNIEnv* env, jclass, jlong handle,
+                                                                  jobjectArray error) {
   return wish(env, handle, error, [](Session& session) { return session.back_track(); });
 }
 

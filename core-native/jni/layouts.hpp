@@ -23,19 +23,20 @@ inline constexpr std::size_t kEstimateBytes = 12 * 8 + 2 * 4;
 /// Returns the bytes needed; nothing is promised of `out` when it is smaller.
 std::size_t write_estimate(const Estimate& estimate, std::span<std::byte> out) noexcept;
 
-/// org.echoway.core.BeltHealthLayout: link, sensor count (i32), firings per second (f64), good, bad checksum, malformed,
-/// lost firings, restarts (i64), has temperature, has battery (i32), temperature, battery (f64), firmware (24 bytes); then
-/// kMaxSensors times state, firings, echoes, fault code (i32), last range, last time (f64).
+/// org.echoway.core.BeltHealthLayout: link, sensor count (i32), firings per second (f64), good, bad checksum,
+/// malformed, lost firings, restarts (i64), has temperature, has battery (i32), temperature, battery (f64), firmware
+/// (24 bytes); then kMaxSensors times state, firings, echoes, fault code (i32), last range, last time (f64).
 inline constexpr std::size_t kBeltHealthBytes = 2 * 4 + 8 + 5 * 8 + 2 * 4 + 2 * 8 + 24 + kMaxSensors * (4 * 4 + 2 * 8);
 std::size_t write_belt_health(const BeltHealth& health, std::span<std::byte> out) noexcept;
 
 /// org.echoway.core.PlanLayout: name; rooms (id, name, number and name aloud, level, frame x y heading, walls, boundary
-/// loops); doors; level links; exits; places. Every list starts with its length (i32), every text with its length in bytes (i32).
+/// loops); doors; level links; exits; places. Every list starts with its length (i32), every text with its length in
+/// bytes (i32).
 std::size_t write_plan(const Building& building, std::span<std::byte> out) noexcept;
 
 /// org.echoway.core.CueLayout: time, direction, distance, sigma, time to live (f64), kind, urgency, has direction, up,
-/// count, room, landmark kind, landmark index, has tail, tail kind (i32), tail direction, tail distance (f64), words (text).
-/// Words that do not fit are cut between two characters: a cue is fetched once and must not be lost.
+/// count, room, landmark kind, landmark index, has tail, tail kind (i32), tail direction, tail distance (f64), words
+/// (text). Words that do not fit are cut between two characters: a cue is fetched once and must not be lost.
 inline constexpr std::size_t kCueFixedBytes = 5 * 8 + 10 * 4 + 2 * 8 + 4;
 std::size_t write_cue(const Cue& cue, std::string_view words, std::span<std::byte> out) noexcept;
 

@@ -6,11 +6,12 @@
 
 namespace echoway::tools {
 
-/// When a live belt's sentences arrived: a clock that runs with the host's and, in a rush of sentences, with the belt's beat.
+/// When a live belt's sentences arrived: a clock that runs with the host's and, in a rush of sentences, with the belt's
+/// beat.
 ///
-/// The wire tells no time, but a belt fires once a beat and numbers its firings. Sentences that come far faster than any belt
-/// fires were held up, or are a recording sent without pauses: they count as one beat apart, from the last one before them,
-/// and the clock runs on from there. All times are seconds since the start.
+/// The wire tells no time, but a belt fires once a beat and numbers its firings. Sentences that come far faster than
+/// any belt fires were held up, or are a recording sent without pauses: they count as one beat apart, from the last one
+/// before them, and the clock runs on from there. All times are seconds since the start.
 class BeltTime {
  public:
   /// `slot_s`: the expected time between two firings, > 0.

@@ -126,11 +126,12 @@ int bench(const BenchOptions& options) {
              "worst walk, m", "right room", "heading", "us a firing");
   for (const Contestant& c : contestants()) {
     const Outcome o = contest(c, *building, *walks);
-    fmt::print(out, "{:8} {:>6} {:>10} {:>9.3f} {:>13.3f} {:>9.1f} % {:>5.1f} deg {:>13.1f}\n", c.method, c.hints ? "yes" : "no",
-               c.particles, o.mean_m, o.worst_walk_m, 100.0 * o.right_room, to_degrees(o.heading_rad), o.cpu_us);
+    fmt::print(out, "{:8} {:>6} {:>10} {:>9.3f} {:>13.3f} {:>9.1f} % {:>5.1f} deg {:>13.1f}\n", c.method,
+               c.hints ? "yes" : "no", c.particles, o.mean_m, o.worst_walk_m, 100.0 * o.right_room,
+               to_degrees(o.heading_rad), o.cpu_us);
     using report::fixed;
-    table.add(c.method, c.hints ? 1 : 0, c.particles, fixed(o.mean_m, 4), fixed(o.worst_walk_m, 4), fixed(o.right_room, 4),
-              fixed(to_degrees(o.heading_rad), 2), fixed(o.cpu_us, 2));
+    table.add(c.method, c.hints ? 1 : 0, c.particles, fixed(o.mean_m, 4), fixed(o.worst_walk_m, 4),
+              fixed(o.right_room, 4), fixed(to_degrees(o.heading_rad), 2), fixed(o.cpu_us, 2));
   }
   if (!csv) return kDone;
   const BayesOptions defaults;
@@ -147,8 +148,12 @@ void add_bench(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("bench", "Error against run time: tracker and thesis's method on the same walks");
   auto options = std::make_shared<BenchOptions>();
   command->add_option("--building", options->building, "Building folder")->required()->check(not_empty());
-  command->add_option("--walks", options->walks, "Random walks, seeds 1 ...")->check(whole(1, 1000))->capture_default_str();
-  command->add_option("--seconds", options->seconds, "Length of a walk")->check(decimal(5.0, 3600.0))->capture_default_str();
+  command->add_option("--walks", options->walks, "Random walks, seeds 1 ...")
+      ->check(whole(1, 1000))
+      ->capture_default_str();
+  command->add_option("--seconds", options->seconds, "Length of a walk")
+      ->check(decimal(5.0, 3600.0))
+      ->capture_default_str();
   command->add_option("--csv", options->csv, "Table to write")->check(not_empty());
   command->callback([options, &status] { status = bench(*options); });
 }

@@ -105,9 +105,12 @@ void add_describe(CLI::App& app, int& status) {
   auto dir = std::make_shared<std::string>();
   command->add_option("DIR", *dir, "Building folder")->required()->check(not_empty());
   auto left_out = std::make_shared<bool>(false);
-  command->add_flag("--left-out", *left_out,
-                    "Instead, a table: what of the plan no echo in a room can depend on, so that firings leave it out, and what that saves");
-  command->callback([dir, left_out, &status] { status = *left_out ? describe_what_is_left_out(*dir) : describe_building(*dir); });
+  command->add_flag(
+      "--left-out", *left_out,
+      "Instead, a table: what of the plan no echo in a room can depend on, so that firings leave it out, and what that "
+      "saves");
+  command->callback(
+      [dir, left_out, &status] { status = *left_out ? describe_what_is_left_out(*dir) : describe_building(*dir); });
 }
 
 }  // namespace echoway::tools

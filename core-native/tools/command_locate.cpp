@@ -43,15 +43,17 @@ TrackRow to_row(const Estimate& estimate, const Building& building) {
   return row;
 }
 
-// Both logs in order of time. A hint comes before a firing of the same instant, so that the firing profits from it, and the
-// wearer's word of where they stand before both.
+// Both logs in order of time. A hint comes before a firing of the same instant, so that the firing profits from it, and
+// the wearer's word of where they stand before both.
 template <class OnRestart, class OnHint, class OnFiring>
 void replay(const ScanLog& scans, const std::vector<MotionHint>& hints, OnRestart on_restart, OnHint on_hint,
             OnFiring on_firing) {
   std::size_t next_hint = 0;
   std::size_t next_restart = 0;
   const auto restart_until = [&](double time_s) {
-    while (next_restart < scans.restarts.size() && scans.restarts[next_restart].time_s <= time_s) on_restart(next_restart++);
+    while (next_restart < scans.restarts.size() && scans.restarts[next_restart].time_s <= time_s) {
+      on_restart(next_restart++);
+    }
   };
   for (const Firing& firing : scans.firings) {
     for (; next_hint < hints.size() && hints[next_hint].time_s <= firing.time_s; ++next_hint) {
@@ -67,7 +69,9 @@ Status write_cues(const std::vector<SpokenCue>& cues, const std::string& path) {
   Result<AtomicFile> file = AtomicFile::create(path);
   if (!file) return file.error();
   file->write("time_s,kind,text\n");
-  for (const SpokenCue& cue : cues) file->write(fmt::format("{:.3f},{},{}\n", cue.time_s, cue.kind, csv_quoted(cue.text)));
+  for (const SpokenCue& cue : cues) {
+    file->write(fmt::format("{:.3f},{},{}\n", cue.time_s, cue.kind, csv_quoted(cue.text)));
+  }
   return file->commit();
 }
 
@@ -111,7 +115,9 @@ Result<Inputs> read_inputs(const LocateOptions& options, const Building& buildin
   }
   for (const LoggedRestart& restart : inputs.scans.restarts) {
     const Result<Start> start = restart.start_in(building);
-    if (!start) return Error{fmt::format("at {:.2f} s {}", restart.time_s, start.error().message), options.scans, restart.line};
+    if (!start) {
+      return Error{fmt::format("at {:.2f} s {}", restart.time_s, start.error().message), options.scans, restart.line};
+    }
     inputs.restarts.push_back(*start);
   }
   return inputs;
@@ -154,8 +160,8 @@ Status write_outputs(const Located& located, const LocateOptions& options) {
 
 void print(const Located& located, std::size_t firings, std::FILE* out) {
   for (const SpokenCue& cue : located.cues) fmt::print(out, "{:8.2f} s  {}\n", cue.time_s, cue.text);
-  fmt::print(out, "{} firings, {} estimates in {:.3f} s: {:.1f} us a firing\n", firings, located.track.size(), located.seconds,
-             1e6 * located.seconds / static_cast<double>(std::max<std::size_t>(1, firings)));
+  fmt::print(out, "{} firings, {} estimates in {:.3f} s: {:.1f} us a firing\n", firings, located.track.size(),
+             located.seconds, 1e6 * located.seconds / static_cast<double>(std::max<std::size_t>(1, firings)));
 }
 
 int locate(const LocateOptions& options) {

@@ -105,7 +105,8 @@ class Monitor {
     const int said = session_.belt_health().sensor_count;
     const int thought = session_.config().belt.sensors;
     if (options_.session.sensors || said == thought) return std::nullopt;
-    return Error{fmt::format("the belt says that it has {} sensors, not {}; give --sensors {}", said, thought, said), options_.port};
+    return Error{fmt::format("the belt says that it has {} sensors, not {}; give --sensors {}", said, thought, said),
+                 options_.port};
   }
 
   std::optional<SerialPort> wait_for_return() {
@@ -143,7 +144,9 @@ void add_monitor(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("monitor", "Room and pose, live from the belt's serial port");
   auto options = std::make_shared<MonitorOptions>();
   options->session.add_to(*command);
-  command->add_option("--port", options->port, "Serial device of the belt, or a pseudo-terminal")->required()->check(not_empty());
+  command->add_option("--port", options->port, "Serial device of the belt, or a pseudo-terminal")
+      ->required()
+      ->check(not_empty());
   command->add_option("--baud", options->baud, "Baud rate")
       ->check(CLI::IsMember({9600, 19200, 38400, 57600, 115200}))
       ->capture_default_str();

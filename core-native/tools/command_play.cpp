@@ -86,11 +86,14 @@ class BeltTerminal {
   std::string name_;
 };
 
-/// The firing as the belt sends it: a time of flight in whole microseconds. What takes longer than any belt listens is no echo.
+/// The firing as the belt sends it: a time of flight in whole microseconds. What takes longer than any belt listens is
+/// no echo.
 EncodedSentence to_sentence(std::uint16_t seq, const Firing& firing, double sound_speed_mps) {
   EchoSentence echo{seq, static_cast<std::uint8_t>(firing.sensor), std::nullopt};
   const double flight_us = 2e6 * firing.range_m / sound_speed_mps;
-  if (firing.has_echo() && flight_us < kLongestFlightUs) echo.tof_us = static_cast<std::uint32_t>(std::lround(flight_us));
+  if (firing.has_echo() && flight_us < kLongestFlightUs) {
+    echo.tof_us = static_cast<std::uint32_t>(std::lround(flight_us));
+  }
   return encode(echo);
 }
 
@@ -101,8 +104,8 @@ StatusSentence status_of(const BeltHeader& belt) {
   return status;
 }
 
-/// Waits for a listener that still reads, for they would lose the end to the hang-up; false when they read nothing for so
-/// long. The line shows what it holds bit by bit: that nothing waits counts only when it is seen twice.
+/// Waits for a listener that still reads, for they would lose the end to the hang-up; false when they read nothing for
+/// so long. The line shows what it holds bit by bit: that nothing waits counts only when it is seen twice.
 bool await_reading(const BeltTerminal& terminal, std::chrono::milliseconds patience) {
   auto last_read = Clock::now();
   int before = terminal.unread();
@@ -149,10 +152,13 @@ int play(const PlayOptions& options) {
 }  // namespace
 
 void add_play(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand("play", "Play a scan log as a belt on a new pseudo-terminal, whose name it prints");
+  auto* command =
+      app.add_subcommand("play", "Play a scan log as a belt on a new pseudo-terminal, whose name it prints");
   auto options = std::make_shared<PlayOptions>();
   command->add_option("--scans", options->scans, "Scan log (*.scans.csv)")->required()->check(not_empty());
-  command->add_option("--speed", options->speed, "Times real time")->check(decimal(0.01, 1000.0))->capture_default_str();
+  command->add_option("--speed", options->speed, "Times real time")
+      ->check(decimal(0.01, 1000.0))
+      ->capture_default_str();
   command
       ->add_option("--patience", options->patience_s,
                    "Seconds to wait for a listener who reads nothing, when the line holds no more and at the end")

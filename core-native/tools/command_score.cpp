@@ -20,7 +20,9 @@ struct ScoreOptions {
   std::string truth;
 };
 
-std::string metres_and_feet(double metres) { return fmt::format("{:.3f} m ({:.2f} ft)", metres, metres / kMetresPerFoot); }
+std::string metres_and_feet(double metres) {
+  return fmt::format("{:.3f} m ({:.2f} ft)", metres, metres / kMetresPerFoot);
+}
 
 int score(const ScoreOptions& options) {
   const Result<Building> building = load_building(options.building);

@@ -115,7 +115,8 @@ Status scan_at(const Options& options) {
 Status check_prefix(const std::string& prefix) {
   if (prefix.empty()) return Error{"say where to write: --out PREFIX"};
   if (std::filesystem::path(prefix).has_filename()) return success();
-  return Error{fmt::format("--out {}: is a folder; name what the files in it begin with, such as {}walk", prefix, prefix)};
+  return Error{
+      fmt::format("--out {}: is a folder; name what the files in it begin with, such as {}walk", prefix, prefix)};
 }
 
 Status simulate(const Options& options) {
@@ -144,16 +145,23 @@ void add_simulate(CLI::App& app, int& status) {
   command->add_option("--building", options->building, "Building folder (default: the one that the walk names)")
       ->check(not_empty());
   auto* walk = command->add_option("--walk", options->walk, "Walk file (docs/walk-files.md)")->check(not_empty());
-  auto* random = command->add_option("--random", options->random_s, "Instead of a walk file: a random walk of about so many seconds; ends with the leg that reaches them")
-      ->check(decimal(1.0, 36000.0))
-      ->excludes(walk);
-  command->add_option("--profile", options->profile, "How severe the world is (default: what the walk says, else furnished)")
+  auto* random =
+      command
+          ->add_option(
+              "--random", options->random_s,
+              "Instead of a walk file: a random walk of about so many seconds; ends with the leg that reaches them")
+          ->check(decimal(1.0, 36000.0))
+          ->excludes(walk);
+  command
+      ->add_option("--profile", options->profile,
+                   "How severe the world is (default: what the walk says, else furnished)")
       ->check(CLI::IsMember({"empty", "furnished", "hard"}));
   auto* at = command->add_option("--at", options->stands, "Instead of a walk: one scan at each pose of this truth file")
       ->check(not_empty())
       ->excludes(walk)
       ->excludes(random);
-  command->add_flag("--draw-world", options->draw_world, "For --at: draw the world's parameters from the seed")->needs(at);
+  command->add_flag("--draw-world", options->draw_world, "For --at: draw the world's parameters from the seed")
+      ->needs(at);
   command->add_option("--bearings", options->bearings, "For --at: the sensors' bearings, degrees (default: the belt's)")
       ->delimiter(',')
       ->check(decimal(-36000.0, 36000.0))

@@ -22,7 +22,8 @@ int bad_input(const Error& error) noexcept {
 }
 
 std::FILE* words_beside(std::initializer_list<std::string_view> files) {
-  const bool taken = std::ranges::any_of(files, [](std::string_view file) { return descriptor_named_by(file) == STDOUT_FILENO; });
+  const bool taken =
+      std::ranges::any_of(files, [](std::string_view file) { return descriptor_named_by(file) == STDOUT_FILENO; });
   return taken ? stderr : stdout;
 }
 

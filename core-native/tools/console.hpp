@@ -19,8 +19,8 @@ void complain(const std::string& line) noexcept;
 /// Complains of `error` and gives the exit status for bad input.
 int bad_input(const Error& error) noexcept;
 
-/// Where a command says what it did: on standard output, but on standard error when one of the `files` that it writes is
-/// standard output (`--track /dev/stdout`), whose rows its words would spoil.
+/// Where a command says what it did: on standard output, but on standard error when one of the `files` that it writes
+/// is standard output (`--track /dev/stdout`), whose rows its words would spoil.
 std::FILE* words_beside(std::initializer_list<std::string_view> files);
 
 /// Whether everything that was printed has left: a full disk behind a redirection is an error like any other.

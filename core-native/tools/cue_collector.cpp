@@ -17,7 +17,8 @@ std::size_t CueCollector::collect() {
 
 bool CueCollector::said_lately(const SpokenCue& cue) const {
   const double since = cue.time_s - session_.repeat_gap_s();
-  const auto old = std::find_if(cues_.rbegin(), cues_.rend(), [since](const SpokenCue& said) { return said.time_s <= since; });
+  const auto old =
+      std::find_if(cues_.rbegin(), cues_.rend(), [since](const SpokenCue& said) { return said.time_s <= since; });
   return std::any_of(cues_.rbegin(), old, [&cue](const SpokenCue& said) { return said.text == cue.text; });
 }
 

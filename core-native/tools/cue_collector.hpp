@@ -15,8 +15,8 @@ struct SpokenCue {
   std::string text;
 };
 
-/// Takes the cues of a session and puts them into words. Two cues may have the same words (a turn and a sharper one "to four
-/// o'clock"): the second is left out within the session's repeat_gap_s(), as in the app.
+/// Takes the cues of a session and puts them into words. Two cues may have the same words (a turn and a sharper one "to
+/// four o'clock"): the second is left out within the session's repeat_gap_s(), as in the app.
 class CueCollector {
  public:
   CueCollector(Session& session, const SpeechStyle& style) : session_(session), speaker_(session.building(), style) {}

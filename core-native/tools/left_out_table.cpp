@@ -39,8 +39,10 @@ std::string row(const RoomSavings& r, const std::string& id, std::size_t id_widt
   for (const Kind& kind : kKinds) {
     line += fmt::format("  {:>{}}", share(r.heard.*kind.count, r.within_reach.*kind.count), width_of(kind));
   }
-  const std::string tests = fmt::format("{:.1f} ({:.0f})", r.sight_tests, r.looked_at * static_cast<double>(r.sight_blockers));
-  return line + fmt::format("  {:>15.1f}  {:>9.1f}  {:>16}  {:>11.0f} %\n", r.listed, r.looked_at, tests, 100.0 * r.plain_floor);
+  const std::string tests =
+      fmt::format("{:.1f} ({:.0f})", r.sight_tests, r.looked_at * static_cast<double>(r.sight_blockers));
+  return line + fmt::format("  {:>15.1f}  {:>9.1f}  {:>16}  {:>11.0f} %\n", r.listed, r.looked_at, tests,
+                            100.0 * r.plain_floor);
 }
 
 // What is never worked out in how many rooms.
@@ -51,7 +53,8 @@ std::string left_out_altogether(const SceneReport& report) {
     const auto rooms = std::ranges::count_if(report.rooms, silent);
     if (rooms > 0) text += fmt::format("{} in {} of {} rooms; ", kind.name, rooms, report.rooms.size());
   }
-  return text + (report.levels ? "stairs and elevators nowhere, as there are several levels" : "stairs and elevators, as there is one level");
+  return text + (report.levels ? "stairs and elevators nowhere, as there are several levels"
+                               : "stairs and elevators, as there is one level");
 }
 
 // What of the plan a firing would have to look at, and what it does look at: means over the rooms.
@@ -65,9 +68,12 @@ std::string savings(const SceneReport& report) {
   }
   const double rooms = std::max(1.0, static_cast<double>(report.rooms.size()));
   return fmt::format(
-      "A firing looks at {:.1f} things that can echo, of {:.0f} in the room and beyond its doors and {} in the building.\n"
-      "Whether something stands in between is tested {:.1f} times at most, of {:.0f}. The compiled building takes {:.2f} MB.\n",
-      looked_at / rooms, reach / rooms, report.sources, tests / rooms, all_tests / rooms, static_cast<double>(report.bytes) / 1e6);
+      "A firing looks at {:.1f} things that can echo, of {:.0f} in the room and beyond its doors and {} in the "
+      "building.\n"
+      "Whether something stands in between is tested {:.1f} times at most, of {:.0f}. The compiled building takes "
+      "{:.2f} MB.\n",
+      looked_at / rooms, reach / rooms, report.sources, tests / rooms, all_tests / rooms,
+      static_cast<double>(report.bytes) / 1e6);
 }
 
 }  // namespace
@@ -75,7 +81,8 @@ std::string savings(const SceneReport& report) {
 std::string left_out_table(const SceneReport& report, const Building& building) {
   std::size_t id_width = std::string_view("room").size();
   for (const Room& room : building.rooms) id_width = std::max(id_width, room.id.size());
-  std::string text = "What somebody somewhere in the room can hear, of all that the plan has there and beyond up to two open doors:\n";
+  std::string text =
+      "What somebody somewhere in the room can hear, of all that the plan has there and beyond up to two open doors:\n";
   text += head(id_width);
   for (const RoomSavings& r : report.rooms) text += row(r, building.room(r.room).id, id_width);
   return text + "Left out altogether: " + left_out_altogether(report) + ".\n" + savings(report);

@@ -5,7 +5,8 @@
 
 namespace echoway::tools {
 
-/// Prints, line by line, what a live wearer hears as it is spoken, and where they are once a second and at every change.
+/// Prints, line by line, what a live wearer hears as it is spoken, and where they are once a second and at every
+/// change.
 class LiveReport {
  public:
   LiveReport(Session& session, const SpeechStyle& style) : session_(session), voice_(session, style) {}

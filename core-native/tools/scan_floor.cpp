@@ -20,7 +20,8 @@ std::optional<Vec2> gradient(const RangeModel& model, const Pose2& pose, int sen
     const Vec2 step = axis == 0 ? Vec2{kStep, 0.0} : Vec2{0.0, kStep};
     const PredictedEcho after = model.predict({pose.position + step, pose.heading}, sensor);
     const PredictedEcho before = model.predict({pose.position - step, pose.heading}, sensor);
-    if (after.kind != here.kind || before.kind != here.kind || after.index != here.index || before.index != here.index) {
+    if (after.kind != here.kind || before.kind != here.kind || after.index != here.index ||
+        before.index != here.index) {
       return std::nullopt;
     }
     (axis == 0 ? result.x : result.y) = (after.range_m - before.range_m) / (2.0 * kStep);

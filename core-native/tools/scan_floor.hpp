@@ -8,9 +8,9 @@
 
 namespace echoway::tools {
 
-/// The Cramer-Rao floor of a single scan at each of `stands`, metres: the least root-mean-square position error that any
-/// unbiased estimator can reach from one pass of the belt in the empty room, heading and echo sources known. Stands where
-/// a scan does not fix the position (along a featureless hall) are left out.
+/// The Cramer-Rao floor of a single scan at each of `stands`, metres: the least root-mean-square position error that
+/// any unbiased estimator can reach from one pass of the belt in the empty room, heading and echo sources known. Stands
+/// where a scan does not fix the position (along a featureless hall) are left out.
 [[nodiscard]] std::vector<double> scan_floors(const Building& building, const BeltConfig& belt,
                                               const std::vector<TruthRow>& stands);
 

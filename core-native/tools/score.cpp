@@ -98,7 +98,8 @@ Result<Score> score_track(const std::vector<TrackRow>& track, const std::vector<
     misses.push_back(*miss);
   }
   if (misses.empty()) {
-    return Error{nowhere > 0 ? "the track names no room while there is truth" : "track and truth share no time", files.track};
+    return Error{nowhere > 0 ? "the track names no room while there is truth" : "track and truth share no time",
+                 files.track};
   }
   Score score = summed_up(misses);
   score.rows_nowhere = nowhere;

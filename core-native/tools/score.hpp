@@ -27,8 +27,8 @@ struct ScoredFiles {
   std::string truth;
 };
 
-/// Truth between two of its rows is interpolated; track rows outside the truth's time are left out. Fails when a room is
-/// unknown, a log is empty or the logs do not overlap.
+/// Truth between two of its rows is interpolated; track rows outside the truth's time are left out. Fails when a room
+/// is unknown, a log is empty or the logs do not overlap.
 Result<Score> score_track(const std::vector<TrackRow>& track, const std::vector<TruthRow>& truth,
                           const Building& building, const ScoredFiles& files);
 

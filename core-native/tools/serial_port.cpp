@@ -37,7 +37,9 @@ bool configure(int descriptor, speed_t speed) {
 
 Result<SerialPort> SerialPort::open(const std::string& path, int baud) {
   speed_t speed{};
-  if (!to_speed(baud, speed)) return Error{"baud rate " + std::to_string(baud) + " is not supported; use 9600, 19200, 38400, 57600 or 115200"};
+  if (!to_speed(baud, speed)) {
+    return Error{"baud rate " + std::to_string(baud) + " is not supported; use 9600, 19200, 38400, 57600 or 115200"};
+  }
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return Error{std::string("cannot open the port: ") + std::strerror(errno), path};
   SerialPort port(descriptor);

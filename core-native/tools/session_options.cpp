@@ -23,19 +23,23 @@ Error bad_start(const std::string& text, const std::string& why) {
 
 void SessionOptions::add_to(CLI::App& command) {
   command.add_option("--building", building, "Building folder")->required()->check(not_empty());
-  command.add_option("--start", start, "R,x_m,y_m,heading_deg in R's frame; blank fields are unknown; without it, search")
+  command
+      .add_option("--start", start, "R,x_m,y_m,heading_deg in R's frame; blank fields are unknown; without it, search")
       ->check(not_empty());
   command.add_option("--method", method, "bayes: the tracker; thesis: the thesis's method")
       ->check(CLI::IsMember({"bayes", "thesis"}))
       ->capture_default_str();
   command.add_option("--sensors", sensors, "Number of sensors on the belt")->check(whole(1, kMaxSensors));
-  command.add_option("--radius", radius_m, "From the wearer's axis to the transducers, metres")->check(decimal(0.0, 2.0));
+  command.add_option("--radius", radius_m, "From the wearer's axis to the transducers, metres")
+      ->check(decimal(0.0, 2.0));
   command.add_option("--beam", beam_deg, "Full angle within which a plane wall answers, degrees")
       ->check(decimal(0.01, 360.0));
   command.add_flag("--avoid-stairs", avoid_stairs, "Take stairs only where nothing else leads there");
   command.add_option("--to", destination, "Guide the wearer to a place, an exit or a room; \"exit\" is the nearest one")
       ->check(not_empty());
-  command.add_option("--language", language, "Of the cues")->check(CLI::IsMember({"en", "de", "fr"}))->capture_default_str();
+  command.add_option("--language", language, "Of the cues")
+      ->check(CLI::IsMember({"en", "de", "fr"}))
+      ->capture_default_str();
   command.add_option("--directions", directions, "How cues give directions")
       ->check(CLI::IsMember({"sides", "clock", "degrees"}))
       ->capture_default_str();

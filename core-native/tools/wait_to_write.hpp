@@ -8,8 +8,9 @@
 
 namespace echoway::tools {
 
-/// Waits at most `patience` until `descriptor` takes more bytes; false when it does not or is broken. A signal meanwhile (the
-/// window changes its size, the process goes on after a stop) says nothing of who reads: the wait goes on with the time left.
+/// Waits at most `patience` until `descriptor` takes more bytes; false when it does not or is broken. A signal
+/// meanwhile (the window changes its size, the process goes on after a stop) says nothing of who reads: the wait goes
+/// on with the time left.
 [[nodiscard]] inline bool wait_to_write(int descriptor, std::chrono::milliseconds patience) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + patience;

@@ -13,12 +13,13 @@
 namespace {
 
 int usage() {
-  std::cerr << "usage: echoway_verify stiff [PART]   run the stiff cases whose title holds PART; exit 1 when one fails\n"
-               "       echoway_verify stiff-page     print docs/stiff-cases.md\n"
-               "       echoway_verify faults-page    print docs/faults.md\n"
-               "       echoway_verify hash [N]       print the hashes of the fixed walks, computed by N threads\n"
-               "       echoway_verify tracks         print every estimate of the fixed walks\n"
-               "       echoway_verify compare A B M  exit 1 when two such outputs are more than M metres apart\n";
+  std::cerr
+      << "usage: echoway_verify stiff [PART]   run the stiff cases whose title holds PART; exit 1 when one fails\n"
+         "       echoway_verify stiff-page     print docs/stiff-cases.md\n"
+         "       echoway_verify faults-page    print docs/faults.md\n"
+         "       echoway_verify hash [N]       print the hashes of the fixed walks, computed by N threads\n"
+         "       echoway_verify tracks         print every estimate of the fixed walks\n"
+         "       echoway_verify compare A B M  exit 1 when two such outputs are more than M metres apart\n";
   return 2;
 }
 
@@ -26,8 +27,8 @@ int compare(const char* first, const char* second, double bound_m) {
   std::ifstream a(first);
   std::ifstream b(second);
   const echoway::tracks::Difference d = echoway::tracks::compare(a, b);
-  std::printf("%zu estimates, %zu in another room, at most %.3g m and %.3g rad apart (allowed %.3g m)\n", d.rows, d.rooms,
-              d.position_m, d.heading_rad, bound_m);
+  std::printf("%zu estimates, %zu in another room, at most %.3g m and %.3g rad apart (allowed %.3g m)\n", d.rows,
+              d.rooms, d.position_m, d.heading_rad, bound_m);
   return d.comparable && d.rooms == 0 && d.position_m <= bound_m ? 0 : 1;
 }
 

@@ -61,8 +61,9 @@ Building random_office(int rooms_per_side, std::uint64_t seed) {
     std::vector<Vec2> outline{{0, 0}, {p.w, 0}, {p.w, p.d}, {0, p.d}};
     if (random.uniform() < 0.35) {
       const double cx = random.uniform(0.8, 0.4 * p.w), cy = random.uniform(0.8, 0.4 * p.d);
-      outline = p.up ? std::vector<Vec2>{{0, 0}, {p.w, 0}, {p.w, p.d - cy}, {p.w - cx, p.d - cy}, {p.w - cx, p.d}, {0, p.d}}
-                     : std::vector<Vec2>{{0, 0}, {p.w - cx, 0}, {p.w - cx, cy}, {p.w, cy}, {p.w, p.d}, {0, p.d}};
+      outline =
+          p.up ? std::vector<Vec2>{{0, 0}, {p.w, 0}, {p.w, p.d - cy}, {p.w - cx, p.d - cy}, {p.w - cx, p.d}, {0, p.d}}
+               : std::vector<Vec2>{{0, 0}, {p.w - cx, 0}, {p.w - cx, cy}, {p.w, cy}, {p.w, p.d}, {0, p.d}};
     }
     Room room = room_from_outline("r" + std::to_string(number++), outline);
     room.frame.position = {p.x, p.up ? hall_width : -p.d};

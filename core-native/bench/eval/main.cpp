@@ -23,7 +23,8 @@ namespace echoway::eval {
 namespace {
 
 constexpr const char* kColumns =
-    "building,start,hints,walk,firings,error_m,heading_error_deg,right_room,within_2_sigma,found_s,median_us,mean_us,worst_us";
+    "building,start,hints,walk,firings,error_m,heading_error_deg,right_room,within_2_sigma,found_s,"
+    "median_us,mean_us,worst_us";
 
 struct Options {
   std::string building;           // Empty: a random office for every walk.
@@ -85,9 +86,10 @@ std::string row_of(const Options& o, int number) {
   const report::Track track = report::follow({building, building, walk, kReferenceCelsius, seed}, estimator_of(o));
   const report::Summary s = report::summarise(track);
   report::Table row;
-  row.add(o.building.empty() ? "offices" : o.building, o.unknown ? "unknown" : "known", o.no_hints ? "no" : "yes", number,
-          track.fixes.size(), s.mean_m, to_degrees(s.turn_rad), s.right_room, s.within_2_sigma, found_after(track),
-          report::quantile(track.firing_us, 0.5), track.cpu_us(), report::quantile(track.firing_us, 1.0));
+  row.add(o.building.empty() ? "offices" : o.building, o.unknown ? "unknown" : "known", o.no_hints ? "no" : "yes",
+          number, track.fixes.size(), s.mean_m, to_degrees(s.turn_rad), s.right_room, s.within_2_sigma,
+          found_after(track), report::quantile(track.firing_us, 0.5), track.cpu_us(),
+          report::quantile(track.firing_us, 1.0));
   return row.text();
 }
 
@@ -115,15 +117,22 @@ int run(const Options& o) {
 int main(int argc, char** argv) {
   echoway::eval::Options o;
   CLI::App app("The tracker on many simulated walks, a row a walk");
-  app.add_option("--building", o.building, "A building's folder; a random office for each walk without")->check(CLI::ExistingDirectory);
-  app.add_option("--rooms", o.rooms, "Rooms on either side of a random office")->check(CLI::Range(1, 200))->capture_default_str();
+  app.add_option("--building", o.building, "A building's folder; a random office for each walk without")
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--rooms", o.rooms, "Rooms on either side of a random office")
+      ->check(CLI::Range(1, 200))
+      ->capture_default_str();
   app.add_option("--walks", o.walks, "How many")->check(CLI::Range(1, 100000))->capture_default_str();
   app.add_option("--first", o.first, "Number of the first; it says all about a walk")->capture_default_str();
   app.add_option("--seconds", o.seconds, "Of each, about")->check(CLI::Range(1.0, 3600.0))->capture_default_str();
   app.add_option("--speed", o.pace_mps, "m/s")->check(CLI::Range(0.1, 3.0))->capture_default_str();
-  app.add_option("--profile", o.profile, "Of the simulated world")->check(CLI::IsMember({"empty", "furnished", "hard"}))->capture_default_str();
-  app.add_option("--teleport", o.teleport, "Probability of being carried off at each goal")->check(CLI::Range(0.0, 1.0));
-  app.add_option("--cover", o.cover, "Probability that the sensors are covered at each goal")->check(CLI::Range(0.0, 1.0));
+  app.add_option("--profile", o.profile, "Of the simulated world")
+      ->check(CLI::IsMember({"empty", "furnished", "hard"}))
+      ->capture_default_str();
+  app.add_option("--teleport", o.teleport, "Probability of being carried off at each goal")
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--cover", o.cover, "Probability that the sensors are covered at each goal")
+      ->check(CLI::Range(0.0, 1.0));
   app.add_flag("--head", o.head, "Only name the columns of the rows, and leave");
   app.add_flag("--no-hints", o.no_hints, "Without the phone's motion sensors");
   app.add_flag("--unknown", o.unknown, "Without being told the start");

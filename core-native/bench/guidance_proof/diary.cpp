@@ -19,8 +19,8 @@ void print_scene(const Building& b, const Route& way, test::PoseSource& poses) {
 void print_diary(const Building& b, std::span<const TrackedPose::Entry> diary, const test::WalkOutcome& o) {
   constexpr std::array<const char*, 3> kStates{"searching", "tracking", "lost"};
   const auto place = [&](RoomIndex room, const Pose2& pose) {
-    std::printf("%-9s %6.2f %6.2f %5.0f", room == kNoRoom ? "-" : b.room(room).id.c_str(), pose.position.x, pose.position.y,
-                to_degrees(pose.heading));
+    std::printf("%-9s %6.2f %6.2f %5.0f", room == kNoRoom ? "-" : b.room(room).id.c_str(), pose.position.x,
+                pose.position.y, to_degrees(pose.heading));
   };
   std::size_t told = 0;
   std::size_t doubted = 0;
@@ -43,7 +43,9 @@ void print_diary(const Building& b, std::span<const TrackedPose::Entry> diary, c
       place(heard.acted_room, heard.acted);
       std::printf(", %.0f from the chest, %.2f m)", to_degrees(heard.wanted), heard.reach);
     }
-    for (; doubted < o.doubts.size() && o.doubts[doubted] <= e.time_s; ++doubted) std::printf("  (the guide doubts the place)");
+    for (; doubted < o.doubts.size() && o.doubts[doubted] <= e.time_s; ++doubted) {
+      std::printf("  (the guide doubts the place)");
+    }
     std::printf("\n");
   }
 }

@@ -55,7 +55,8 @@ void write_row(const WalkName& walk, const Building& building, const TrackedPose
     error = std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
     right = tracked->room_right();
   }
-  const auto leading = std::count_if(o.cues.begin(), o.cues.end(), [](const test::HeardCue& c) { return leads(c.cue); });
+  const auto leading =
+      std::count_if(o.cues.begin(), o.cues.end(), [](const test::HeardCue& c) { return leads(c.cue); });
   using report::fixed;
   rows.add(walk.map, walk.source, walk.seed, o.arrived ? 1 : 0, fixed(o.time_s, 1), fixed(o.walked_m, 2),
            fixed(o.shortest_m, 2), o.touches, o.wrong_cues, o.instructions, o.cues.size(), fixed(o.end_error_m, 2),

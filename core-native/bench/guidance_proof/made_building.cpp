@@ -17,7 +17,9 @@ Result<Building> building_of(const std::string& map) {
     room.level = 1;
     b.rooms.push_back(room);
   }
-  for (Door door : upper.doors) b.doors.push_back({door.room_a + base, door.at_a, door.room_b + base, door.at_b, door.width});
+  for (Door door : upper.doors) {
+    b.doors.push_back({door.room_a + base, door.at_a, door.room_b + base, door.at_b, door.width});
+  }
   b.links.push_back({LevelLinkKind::stairs, 0, {0.6, 1.2}, base, {0.6, 1.2}});
   b.links.push_back({LevelLinkKind::elevator, 0, {11.4, 1.2}, base, {11.4, 1.2}});
   return b;

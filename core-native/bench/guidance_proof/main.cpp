@@ -4,8 +4,8 @@
 // WALKS: how many; or A-B for walks A to B - 1; or #N for walk N alone, with its diary on the standard output.
 // SOURCE: noise (truth with 0.12 m and 4 degrees of drifting error), empty or furnished (the tracker on the simulated
 // world's echoes, told where the walk starts), search (the tracker told nothing, in a furnished world), cluttered (as
-// furnished, but things stand on the way as well), obstacles (the same with the noisy truth instead of the tracker). A MAP is a
-// building's folder, or office, grid, levels for one made here.
+// furnished, but things stand on the way as well), obstacles (the same with the noisy truth instead of the tracker). A
+// MAP is a building's folder, or office, grid, levels for one made here.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -58,7 +58,9 @@ int run(int argc, char** argv) {
     name = name.substr(name.find_last_of('/') + 1);
     const Router router(*building);
     proof::draw_walls(name, router, out.traces);
-    for (int seed = first; seed < last; ++seed) proof::walk(name, router, source, static_cast<std::uint64_t>(seed), out);
+    for (int seed = first; seed < last; ++seed) {
+      proof::walk(name, router, source, static_cast<std::uint64_t>(seed), out);
+    }
   }
   return 0;
 }

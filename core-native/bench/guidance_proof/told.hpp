@@ -5,7 +5,8 @@
 
 namespace echoway::proof {
 
-/// Lines that tell the wearer which way to move, or that they are there; not what a lost one is asked to do to be found.
+/// Lines that tell the wearer which way to move, or that they are there; not what a lost one is asked to do to be
+/// found.
 [[nodiscard]] bool leads(const Cue& cue);
 
 /// How many lines led the wearer while the tracker took them to be elsewhere: they may send anybody anywhere.

@@ -7,7 +7,8 @@ namespace echoway::proof {
 
 namespace {
 
-void add(const WalkName& walk, std::string_view kind, Vec2 at, int level, const std::string& text, report::TableFile& out) {
+void add(const WalkName& walk, std::string_view kind, Vec2 at, int level, const std::string& text,
+         report::TableFile& out) {
   out.add(walk.map, walk.source, walk.seed, kind, report::fixed(at.x, 3), report::fixed(at.y, 3), level, text);
 }
 

@@ -16,7 +16,9 @@ sim::Footprint footprint_of(const Building& building, const Route& route) {
     if (here.kind == WaypointKind::link_to) continue;
     const Vec2 from = last.kind == WaypointKind::door ? last.next_at : last.at;
     const int steps = 1 + static_cast<int>(distance(from, here.at) / 0.1);
-    for (int k = 0; k <= steps; ++k) footprint.step_on(here.room, from + (static_cast<double>(k) / steps) * (here.at - from));
+    for (int k = 0; k <= steps; ++k) {
+      footprint.step_on(here.room, from + (static_cast<double>(k) / steps) * (here.at - from));
+    }
   }
   return footprint;
 }
@@ -69,7 +71,8 @@ void TrackedPose::observe(double time_s, RoomIndex room, const Pose2& pose, doub
   moment.pose = pose;
   moment.speed = speed;
   moment.heading = wrap_angle(pose.heading + building_.room(room).frame.heading);
-  sense_motion(time_s, wrap_angle(moment.heading - last_heading_), speed * (time_s - last_time_) / world_.step_length_m);
+  sense_motion(time_s, wrap_angle(moment.heading - last_heading_),
+               speed * (time_s - last_time_) / world_.step_length_m);
   last_heading_ = moment.heading;
   fire(moment, guide);
 }
@@ -114,7 +117,9 @@ void TrackedPose::fire(const sim::Moment& at, Guide& guide) {
   if (!locator_.on_firing(firing)) return;
   const Estimate& e = locator_.estimate();
   if (!moment.between.present) ++observations_;
-  if (!moment.between.present && e.room == moment.room) errors_.push_back(distance(e.pose.position, moment.pose.position));
+  if (!moment.between.present && e.room == moment.room) {
+    errors_.push_back(distance(e.pose.position, moment.pose.position));
+  }
   diary_.push_back({moment.time_s, moment.room, moment.pose, e});
   guide.on_firing(firing);
   guide.on_estimate(e, locator_.hypotheses());

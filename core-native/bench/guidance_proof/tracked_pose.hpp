@@ -13,12 +13,12 @@
 
 namespace echoway::proof {
 
-/// The whole chain: the simulated world's echoes and the phone's motion hints, the tracker, the guide. The world and the
-/// tracker's model share no code.
+/// The whole chain: the simulated world's echoes and the phone's motion hints, the tracker, the guide. The world and
+/// the tracker's model share no code.
 class TrackedPose : public test::PoseSource {
  public:
-  /// `route`: what is kept free of furniture. `start`: what the tracker is told. With `truth`, the guide gets that noisy
-  /// truth instead of the tracker's estimates, and the echoes only for what stands in the way.
+  /// `route`: what is kept free of furniture. `start`: what the tracker is told. With `truth`, the guide gets that
+  /// noisy truth instead of the tracker's estimates, and the echoes only for what stands in the way.
   TrackedPose(const Router& router, const sim::World& world, const Route& route, const Start& start, std::uint64_t seed,
               std::unique_ptr<test::NoisyTruth> truth = nullptr);
 

@@ -131,8 +131,8 @@ std::string one_walk(const Job& job, const std::vector<Nuisance>& all) {
     const Track track = follow({setting.world, setting.plan, *run, kReferenceCelsius, setting.walk.seed}, method);
     const Summary s = summarise(track);
     for (const auto& [group, level] : names_of(job, all)) {
-      rows.add(group, level, job.number, method.name, s.mean_m, s.median_m, s.p90_m, to_degrees(s.turn_rad), s.right_room,
-               s.within_2_sigma, track.cpu_us());
+      rows.add(group, level, job.number, method.name, s.mean_m, s.median_m, s.p90_m, to_degrees(s.turn_rad),
+               s.right_room, s.within_2_sigma, track.cpu_us());
     }
   }
   return rows.text();

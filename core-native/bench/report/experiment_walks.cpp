@@ -65,7 +65,8 @@ std::string follow_once(const Case& c, bool bare, int number, const Walked& walk
     const Fix& fix = track.fixes[method.thesis ? stop : stops[stop].first + passes - 1];
     const Vec2 on_level = walked.world.room(stops[stop].room).frame.transform(stops[stop].pose.position);
     rows.add(c.figure, bare ? "bare" : "furnished", number, method.name, stop, on_level.x, on_level.y,
-             id_of(walked.world, stops[stop].room), id_of(walked.plan, fix.room), fix.error_m, to_degrees(fix.turn_rad));
+             id_of(walked.world, stops[stop].room), id_of(walked.plan, fix.room), fix.error_m,
+             to_degrees(fix.turn_rad));
   }
   return rows.text();
 }

@@ -69,7 +69,8 @@ struct Track {
 [[nodiscard]] Track follow(const Trial& trial, const Estimator& estimator);
 [[nodiscard]] Track follow(const Trial& trial, const Estimator& estimator, std::span<const Firing> firings);
 /// Until `enough` says so of the newest fix.
-[[nodiscard]] Track follow(const Trial& trial, const Estimator& estimator, const std::function<bool(const Fix&)>& enough);
+[[nodiscard]] Track follow(const Trial& trial, const Estimator& estimator,
+                           const std::function<bool(const Fix&)>& enough);
 
 /// Of the fixes at or after `from_s`.
 struct Summary {

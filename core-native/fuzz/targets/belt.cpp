@@ -1,5 +1,5 @@
-// The belt's side of a session without the costly rest: sentences, the clock that stamps them and what is thought of the
-// belt's health, as Session puts them together.
+// The belt's side of a session without the costly rest: sentences, the clock that stamps them and what is thought of
+// the belt's health, as Session puts them together.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -56,7 +56,9 @@ class Belt {
     const FiringClock::Stamp stamp = clock_.stamp(seq_, arrival);
     newest_arrival_ = std::max(newest_arrival_, arrival);
     if (!std::isfinite(stamp.time_s)) return "a stamp that is not finite";
-    if (stamp.time_s > newest_arrival_ + 1e-9 * (1.0 + std::fabs(newest_arrival_))) return "a stamp after every arrival";
+    if (stamp.time_s > newest_arrival_ + 1e-9 * (1.0 + std::fabs(newest_arrival_))) {
+      return "a stamp after every arrival";
+    }
     if (stamp.time_s < last_stamp_ && stamp.time_s > last_stamp_ - kSetBack) return "a stamp that goes back a little";
     last_stamp_ = stamp.time_s;
     const std::uint8_t echo = in_.byte();

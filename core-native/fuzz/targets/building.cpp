@@ -48,9 +48,10 @@ bool finite(const std::vector<Vec2>& points) {
 }
 
 std::string check_room(const Room& room) {
-  const bool all_finite = finite(room.walls) && finite(room.reflectors) && finite(room.corners) &&
-                          finite(room.edges) && is_finite(room.frame) &&
-                          std::all_of(room.boundary.begin(), room.boundary.end(), [](const auto& l) { return finite(l); });
+  const bool all_finite =
+      finite(room.walls) && finite(room.reflectors) && finite(room.corners) && finite(room.edges) &&
+      is_finite(room.frame) &&
+      std::all_of(room.boundary.begin(), room.boundary.end(), [](const auto& l) { return finite(l); });
   if (!all_finite) return "a room has something that is not finite";
   if (room.boundary.empty()) return "a room without a floor";
   for (std::size_t i = 0; i < room.boundary.size(); ++i) {

@@ -25,7 +25,9 @@ class Wanderer {
     e.time_s = time;
     if (how < 8) e.room = how % 3 - 1;
     const Vec2 step{0.01 * (in.byte() - 128), 0.01 * (in.byte() - 128)};
-    e.pose.position = how % 16 == 9 ? Vec2{100.0 * step.x, 100.0 * step.y} : how % 4 == 0 ? in.spot() : e.pose.position + 0.2 * step;
+    e.pose.position = how % 16 == 9  ? Vec2{100.0 * step.x, 100.0 * step.y}
+                      : how % 4 == 0 ? in.spot()
+                                     : e.pose.position + 0.2 * step;
     e.pose.heading = how % 4 == 1 ? e.pose.heading : wrap_angle(0.0246 * in.byte());
     e.sigma_m = how % 32 == 31 ? 30.0 : 0.01 * in.byte();
     e.sigma_heading_rad = 0.01 * in.byte();

@@ -1,5 +1,5 @@
-// The native methods as Kotlin calls them, in any order and with anything that Kotlin could hand over: stale handles, null
-// and short buffers, heap buffers, numbers out of range, strings with lone surrogates.
+// The native methods as Kotlin calls them, in any order and with anything that Kotlin could hand over: stale handles,
+// null and short buffers, heap buffers, numbers out of range, strings with lone surrogates.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,7 +22,8 @@ extern "C" {
 #define NATIVE(type, name) JNIEXPORT type JNICALL Java_org_echoway_core_NativeCore_##name
 NATIVE(jint, plan)(JNIEnv*, jclass, jstring, jobject, jobjectArray);
 NATIVE(jint, check)(JNIEnv*, jclass, jstring, jobject);
-NATIVE(jlong, open)(JNIEnv*, jclass, jstring, jint, jdouble, jdouble, jdouble, jdouble, jint, jdouble, jdouble, jdouble, jlong, jobjectArray);
+NATIVE(jlong, open)(JNIEnv*, jclass, jstring, jint, jdouble, jdouble, jdouble, jdouble, jint, jdouble, jdouble, jdouble,
+                    jlong, jobjectArray);
 NATIVE(void, close)(JNIEnv*, jclass, jlong);
 NATIVE(jint, onBytes)(JNIEnv*, jclass, jlong, jobject, jint, jdouble, jobject);
 NATIVE(jint, onMotion)(JNIEnv*, jclass, jlong, jint, jdouble, jdouble, jobject);
@@ -143,7 +144,9 @@ class Caller {
     for (std::size_t i = 0; i < words->size(); ++i) {
       const bool high = ((*words)[i] & 0xFC00) == 0xD800;
       const bool low = ((*words)[i] & 0xFC00) == 0xDC00;
-      if (low || (high && (i + 1 == words->size() || ((*words)[i + 1] & 0xFC00) != 0xDC00))) return "an error with half a character";
+      if (low || (high && (i + 1 == words->size() || ((*words)[i + 1] & 0xFC00) != 0xDC00))) {
+        return "an error with half a character";
+      }
       i += high;
     }
     return "";
@@ -186,7 +189,8 @@ class Caller {
     const double beam = other_belt ? in_.number() : usual;
     const double slot = other_belt ? in_.number() : usual;
     const double temperature = other_belt ? in_.number() : usual;
-    const jlong handle = CALL(open, where, sensors, radius, beam, slot, temperature, room, at.x, at.y, heading, static_cast<jlong>(seed), error);
+    const jlong handle = CALL(open, where, sensors, radius, beam, slot, temperature, room, at.x, at.y, heading,
+                              static_cast<jlong>(seed), error);
     if (handle == 0) return told(error);
     handles_.push_back(handle);
     return "";

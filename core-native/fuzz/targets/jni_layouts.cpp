@@ -31,7 +31,9 @@ class Guarded {
   [[nodiscard]] std::span<std::byte> inside() noexcept { return {memory_.get() + kGuardBytes, size_}; }
   [[nodiscard]] bool front_intact() const noexcept { return intact(0, kGuardBytes); }
   /// From `used` bytes of the inside on.
-  [[nodiscard]] bool rest_intact(std::size_t used) const noexcept { return intact(kGuardBytes + used, size_ - used + kGuardBytes); }
+  [[nodiscard]] bool rest_intact(std::size_t used) const noexcept {
+    return intact(kGuardBytes + used, size_ - used + kGuardBytes);
+  }
 
  private:
   [[nodiscard]] bool intact(std::size_t begin, std::size_t count) const noexcept {
@@ -75,8 +77,8 @@ std::string any_text(Reader& in) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// Fewer than `limit` copies of what `make` makes. (Not `std::vector(in.byte(), ...)`: the compilers disagree on the order of
-/// a call's arguments, and an input must mean the same to all.)
+/// Fewer than `limit` copies of what `make` makes. (Not `std::vector(in.byte(), ...)`: the compilers disagree on the
+/// order of a call's arguments, and an input must mean the same to all.)
 template <class Make>
 auto copies(Reader& in, std::size_t limit, Make make) {
   const std::size_t count = in.byte() % limit;
@@ -106,8 +108,8 @@ Cue any_cue(Reader& in) {
   Cue cue;
   cue.kind = static_cast<CueKind>(in.byte());
   cue.urgency = static_cast<Urgency>(in.byte());
-  for (double* field : {&cue.time_s, &cue.direction, &cue.distance_m, &cue.sigma_m, &cue.time_to_live_s, &cue.tail.direction,
-                        &cue.tail.distance_m}) {
+  for (double* field : {&cue.time_s, &cue.direction, &cue.distance_m, &cue.sigma_m, &cue.time_to_live_s,
+                        &cue.tail.direction, &cue.tail.distance_m}) {
     *field = in.number();
   }
   for (std::int32_t* field : {&cue.count, &cue.room, &cue.landmark.index}) *field = in.integer();
@@ -159,8 +161,10 @@ std::string jni_layouts(Bytes data) {
   const Cue cue = any_cue(in);
   const Route route = any_route(in);
   const auto spots = copies(in, 256, [&] { return Spot{in.integer(), any_point(in)}; });
-  const auto hypotheses = copies(in, 256, [&] { return Hypothesis{in.integer(), {any_point(in), in.number()}, 0.0, 0.0}; });
-  const auto echoes = copies(in, kMaxSensors + 1, [&] { return ExplainedEcho{.firing = {in.number(), in.byte(), in.number()}}; });
+  const auto hypotheses =
+      copies(in, 256, [&] { return Hypothesis{in.integer(), {any_point(in), in.number()}, 0.0, 0.0}; });
+  const auto echoes =
+      copies(in, kMaxSensors + 1, [&] { return ExplainedEcho{.firing = {in.number(), in.byte(), in.number()}}; });
   const auto findings = copies(in, 256, [&] {
     return Finding{Finding::Severity::warning, Finding::Kind::bad_line, any_text(in), in.integer(), any_text(in)};
   });

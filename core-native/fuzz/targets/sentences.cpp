@@ -54,12 +54,15 @@ std::string check_stream(Bytes data) {
   SentenceCounts cut_counts;
   if (decode(data, 7, cut_counts) != whole || cut_counts != counts) return "the cuts between reads make a difference";
   for (const Sentence& sentence : whole) {
-    if (std::string broken = std::visit([](const auto& s) { return check(s); }, sentence); !broken.empty()) return broken;
+    if (std::string broken = std::visit([](const auto& s) { return check(s); }, sentence); !broken.empty()) {
+      return broken;
+    }
     const EncodedSentence sent = encode(sentence);
     if (sent.text().size() > kMaxSentenceLength) return "a sentence too long to send";
     const std::string_view text = sent.text();
     SentenceCounts again_counts;
-    const auto again = decode({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, text.size(), again_counts);
+    const auto again =
+        decode({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, text.size(), again_counts);
     if (again.size() != 1 || again[0] != sentence) return "a sentence that does not read back";
   }
   return "";

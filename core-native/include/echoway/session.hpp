@@ -37,15 +37,17 @@ struct SessionConfig {
 /// Everything the core does for one wearer in one building, behind one door: JNI, the command line and the tests all
 /// come in here.
 ///
-/// Input goes in by on_bytes() or on_firing(), on_motion() and on_tick(), in any mixture, from one thread, with times in
-/// seconds on one monotonic clock. Output is read between calls; references stay valid until the next input.
+/// Input goes in by on_bytes() or on_firing(), on_motion() and on_tick(), in any mixture, from one thread, with times
+/// in seconds on one monotonic clock. Output is read between calls; references stay valid until the next input.
 ///
 /// Guarantees: nothing throws; no input makes it crash, hang or emit a NaN; nothing is allocated after open() except by
-/// restart(), by the first explain_scan() and when a destination is set; the same calls give the same output, bit for bit.
+/// restart(), by the first explain_scan() and when a destination is set; the same calls give the same output, bit for
+/// bit.
 class Session {
  public:
   /// Fails when the building is unusable or the configuration makes no sense (sensor count outside 1 ... kMaxSensors,
-  /// negative radius, a start where nobody can stand (see check_start()), air below absolute zero, anything not finite).
+  /// negative radius, a start where nobody can stand (see check_start()), air below absolute zero, anything not
+  /// finite).
   static Result<std::unique_ptr<Session>> open(const std::filesystem::path& building_dir, const SessionConfig& config);
   static Result<std::unique_ptr<Session>> open(Building building, const SessionConfig& config);
 
@@ -74,8 +76,8 @@ class Session {
   /// changes nothing, when nobody can stand there (see check_start()).
   Status restart(const Start& start);
 
-  // What the wearer wants. Each is answered by cues too; a failure says why in words for a log. A destination in a room that
-  // nothing leads into, or only doors too narrow for a person, is refused to who is not in that room.
+  // What the wearer wants. Each is answered by cues too; a failure says why in words for a log. A destination in a room
+  // that nothing leads into, or only doors too narrow for a person, is refused to who is not in that room.
   /// To a place, an exit or a room, by the name or id that a wearer would say ("Lectern", "4", "exit").
   Status set_destination(std::string_view name, RoutePreferences preferences = {});
   /// The same for one of the building's places, exits or rooms, or any spot.
@@ -87,21 +89,22 @@ class Session {
   void clear_destination();
   /// Answers with cues: room, facing, nearest door.
   void where_am_i();
-  /// Answers with the last line that told the wearer to do something; false, and no cue, when there is none or it has been
-  /// carried out.
+  /// Answers with the last line that told the wearer to do something; false, and no cue, when there is none or it has
+  /// been carried out.
   bool repeat();
 
   /// Takes the next cue that is to be spoken; false when there is none. Words for it: echoway/speech/speaker.hpp.
   bool next_cue(Cue& cue);
-  /// Nothing is said twice within so many seconds, unless asked: for whoever puts cues into words, which may be the same.
+  /// Nothing is said twice within so many seconds, unless asked: for whoever puts cues into words, which may be the
+  /// same.
   [[nodiscard]] double repeat_gap_s() const;
   /// False once the wearer has arrived and stays.
   [[nodiscard]] bool has_destination() const;
-  /// Whether a way leads to the destination from where the session's start says that the wearer is. Fails, naming the rooms
-  /// and what is between them, when none does; success where the start names no room, and without a destination.
+  /// Whether a way leads to the destination from where the session's start says that the wearer is. Fails, naming the
+  /// rooms and what is between them, when none does; success where the start names no room, and without a destination.
   [[nodiscard]] Status check_way_from_start() const;
-  /// How far the nearest thing in the way is that no plan knows, metres from the chest; negative when there is none, or the
-  /// position is not known well enough to tell.
+  /// How far the nearest thing in the way is that no plan knows, metres from the chest; negative when there is none, or
+  /// the position is not known well enough to tell.
   [[nodiscard]] double obstacle_ahead_m() const;
   /// The way to the destination from where the wearer is; empty without one.
   [[nodiscard]] const Route& route() const;

@@ -50,7 +50,8 @@ constexpr auto kParameters = std::to_array<WorldParameter>({
     {"gyro_bias_dps", &W::gyro_bias_rad_s, kDegree, -20, 20, "constant error of the yaw rate"},
     {"gyro_noise_dps", &W::gyro_noise_rad_s, kDegree, 0, 20, "random error of a yaw rate, standard deviation"},
     {"gyro_rate_hz", &W::gyro_rate_hz, 1, 1, 200, "yaw rates a second"},
-    {"phone_swing_deg", &W::phone_swing_rad, kDegree, 0, 45, "amplitude of the phone's own turning with each stride, as on a thigh"},
+    {"phone_swing_deg", &W::phone_swing_rad, kDegree, 0, 45,
+     "amplitude of the phone's own turning with each stride, as on a thigh"},
     {"heading_offset_deg", &W::heading_offset_rad, kDegree, -180, 180, "error of the absolute heading at the start"},
     {"heading_drift_dps", &W::heading_drift_rad_s, kDegree, -10, 10, "and how it grows"},
 });

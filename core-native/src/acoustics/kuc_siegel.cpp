@@ -57,8 +57,8 @@ double half_width(const Transducer& transducer, double inclination) noexcept {
 }
 
 // Integrates f(u) F(w - u) over [w - 1, 1] for w in [0, 2]. Both factors end in square roots at the ends of that
-// interval; u = w/2 + (1 - w/2) cos(t) turns these into half-angle sines, so that the quadrature sees a smooth function.
-// Differences from 1 are formed by half angles: no square root of a negative rounding error.
+// interval; u = w/2 + (1 - w/2) cos(t) turns these into half-angle sines, so that the quadrature sees a smooth
+// function. Differences from 1 are formed by half angles: no square root of a negative rounding error.
 class Overlap {
  public:
   Overlap() noexcept {

@@ -90,8 +90,8 @@ bool RangeModel::hidden(const Ray& ray, Vec2 target) const noexcept {
 }
 
 // Whether obstacles leave free, block, or may partly block every path from a face in reach of `target` to it, or, not
-// `converging`, to the points of a wall beside it. Those paths lie within `lateral_` of the line from the axis, and begin
-// at most `radius` along it.
+// `converging`, to the points of a wall beside it. Those paths lie within `lateral_` of the line from the axis, and
+// begin at most `radius` along it.
 RangeModel::Sight RangeModel::sight(Vec2 axis, Vec2 target, bool converging) const noexcept {
   if (occluders_.empty()) return Sight::clear;
   const double length = length_of(target - axis);

@@ -191,8 +191,8 @@ void RangeModel::add_corners(const Room& room, double tolerance) {
   }
 }
 
-// Reflectors that close on themselves outline a solid thing, a bench or a cupboard; from outside its far sides are never
-// seen, and saying so now spares looking for them behind its near ones.
+// Reflectors that close on themselves outline a solid thing, a bench or a cupboard; from outside its far sides are
+// never seen, and saying so now spares looking for them behind its near ones.
 void RangeModel::add_reflectors(const Room& room) {
   const auto& all = room.reflectors;
   std::vector<Vec2> outward(all.size());

@@ -6,8 +6,10 @@
 
 namespace echoway {
 
-[[nodiscard]] std::string room_label(const Building& building, RoomIndex room);     ///< `room hall`
-[[nodiscard]] std::string door_label(const Building& building, const Door& door);   ///< `the door between rooms 'hall' and '2'`
+/// `room hall`
+[[nodiscard]] std::string room_label(const Building& building, RoomIndex room);
+/// `the door between rooms 'hall' and '2'`
+[[nodiscard]] std::string door_label(const Building& building, const Door& door);
 
 /// Words for messages, in the unit in which the building's files are written.
 class Phrases {

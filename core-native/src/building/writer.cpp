@@ -102,10 +102,14 @@ std::optional<std::string> why_not_writable(const Building& building) {
     if (!ids.insert(room.id).second) return "two rooms are called '" + room.id + "'";
   }
   for (const Door& door : building.doors) {
-    if (!building.has_room(door.room_a) || !building.has_room(door.room_b)) return "a door leads to a room that does not exist";
+    if (!building.has_room(door.room_a) || !building.has_room(door.room_b)) {
+      return "a door leads to a room that does not exist";
+    }
   }
   for (const LevelLink& link : building.links) {
-    if (!building.has_room(link.room_a) || !building.has_room(link.room_b)) return "stairs lead to a room that does not exist";
+    if (!building.has_room(link.room_a) || !building.has_room(link.room_b)) {
+      return "stairs lead to a room that does not exist";
+    }
   }
   for (const auto* list : {&building.exits, &building.places}) {
     for (const Landmark& landmark : *list) {

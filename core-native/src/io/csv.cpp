@@ -79,7 +79,9 @@ Status read(const std::filesystem::path& file, std::span<const std::string_view>
     }
   }
   if (reader.error()) return *reader.error();
-  if (width == 0) return Error{"has no header line; it must be '" + join(columns) + "'", file.string(), reader.line() + 1};
+  if (width == 0) {
+    return Error{"has no header line; it must be '" + join(columns) + "'", file.string(), reader.line() + 1};
+  }
   return success();
 }
 

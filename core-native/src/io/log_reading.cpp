@@ -97,7 +97,9 @@ Problem read_restart(std::string_view comment, int line, std::vector<LoggedResta
     if (words[i] == "-") continue;
     values[i] = text::parse_number(words[i]);
     const double limit = i == 1 ? kMaxTime : i == 5 ? kMaxAngle : kMaxLength;
-    if (!values[i] || std::abs(*values[i]) > limit) return "'" + std::string(words[i]) + "' is no sensible number for a restart";
+    if (!values[i] || std::abs(*values[i]) > limit) {
+      return "'" + std::string(words[i]) + "' is no sensible number for a restart";
+    }
   }
   if (!values[1]) return "a restart needs its time";
   if (values[3].has_value() != values[4].has_value()) return "a restart needs both x_m and y_m, or a - for each";
@@ -137,7 +139,9 @@ Problem read_motion(const csv::Row& row, Clock& clock, MotionHint& hint) {
   hint.kind = *kind;
   if (auto problem = read_number(row, 2, kMaxAngle, hint.value)) return problem;
   if (hint.kind == MotionKind::step) {
-    if (hint.value != 1.0) return "the value of a step is '" + std::string(row.text(2)) + "', not 1; each step has a row";
+    if (hint.value != 1.0) {
+      return "the value of a step is '" + std::string(row.text(2)) + "', not 1; each step has a row";
+    }
     return std::nullopt;
   }
   hint.value = degrees(hint.value);
@@ -200,7 +204,9 @@ Result<Start> LoggedRestart::start_in(const Building& building) const {
   Start start;
   if (room.empty()) return start;
   const RoomIndex found = building.find_room(room);
-  if (found == kNoRoom) return Error{"the walk was started again in room " + room + ", which the building does not have"};
+  if (found == kNoRoom) {
+    return Error{"the walk was started again in room " + room + ", which the building does not have"};
+  }
   start.room = found;
   start.position = position;
   start.heading = heading;
@@ -216,7 +222,9 @@ Result<ScanLog> read_scan_log(const std::filesystem::path& file, std::optional<i
     auto problem = read_belt_comment(comment, log.belt);
     return problem ? problem : read_restart(comment, line, log.restarts);
   };
-  handlers.later_comment = [&](std::string_view comment, int line) { return read_restart(comment, line, log.restarts); };
+  handlers.later_comment = [&](std::string_view comment, int line) {
+    return read_restart(comment, line, log.restarts);
+  };
   handlers.row = [&](const csv::Row& row) {
     csv::reserve_next(log.firings);
     const int count = sensors.value_or(log.belt.apply_to({}).sensors);

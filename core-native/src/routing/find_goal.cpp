@@ -45,7 +45,9 @@ Result<Goal> Router::find_goal(std::string_view text) const {
       return Goal{Goal::Kind::room, static_cast<std::int32_t>(r), {}};
     }
   }
-  if (wanted == "exit" || wanted == "nearest exit" || wanted == "way out") return Goal{Goal::Kind::nearest_exit, -1, {}};
+  if (wanted == "exit" || wanted == "nearest exit" || wanted == "way out") {
+    return Goal{Goal::Kind::nearest_exit, -1, {}};
+  }
   std::string names;
   for (const Landmark& place : building_->places) list(names, place.name);
   for (const Landmark& exit : building_->exits) list(names, exit.name);

@@ -79,13 +79,15 @@ std::string why_no_way(const Building& building, RoomIndex from, RoomIndex to, c
   const Neighbourhood about(building, from);
   if (!about.reaches(to)) return "no doors, stairs or elevators join them";
   if (const Door* door = about.closed(to)) return too_narrow(building, *door);
-  return "what is free on the way is narrower than " + Phrases(building.unit).length(2.0 * config.clearances.back().radius);
+  return "what is free on the way is narrower than " +
+         Phrases(building.unit).length(2.0 * config.clearances.back().radius);
 }
 
 }  // namespace
 
 bool Router::is_joined(RoomIndex room) const {
-  for (std::int32_t n = room_begin_[static_cast<std::size_t>(room)]; n < room_begin_[static_cast<std::size_t>(room) + 1]; ++n) {
+  for (std::int32_t n = room_begin_[static_cast<std::size_t>(room)];
+       n < room_begin_[static_cast<std::size_t>(room) + 1]; ++n) {
     if (leads_out(n)) return true;
   }
   return false;

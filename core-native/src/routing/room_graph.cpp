@@ -57,7 +57,10 @@ std::vector<Portal> portals_of(const Building& building, RoomIndex room, const F
 class Builder {
  public:
   Builder(const Building& building, RoomIndex room, const FreeSpace& space, const RouterConfig& config)
-      : space_(space), ladder_(config.clearances), run_up_(config.door_run_up_m), portals_(portals_of(building, room, space)) {
+      : space_(space),
+        ladder_(config.clearances),
+        run_up_(config.door_run_up_m),
+        portals_(portals_of(building, room, space)) {
     for (const auto* landmarks : {&building.exits, &building.places}) {
       for (const Landmark& l : *landmarks) {
         if (l.room == room) anchors_.push_back(l.at);

@@ -31,9 +31,9 @@ struct RoomEdge {
 };
 
 /// The visibility graph of one room for a disc-shaped walker. Obstacles are inflated by the disc; arcs about their
-/// convex corners are replaced by circumscribed polygons with pieces of at most 45 degrees, so a way is never longer than
-/// the shortest of a disc 8.3 % larger (1/cos 22.5 degrees); everything else is exact. (Lozano-Perez and Wesley 1979; de
-/// Berg et al., Computational Geometry, chapter 15.)
+/// convex corners are replaced by circumscribed polygons with pieces of at most 45 degrees, so a way is never longer
+/// than the shortest of a disc 8.3 % larger (1/cos 22.5 degrees); everything else is exact. (Lozano-Perez and Wesley
+/// 1979; de Berg et al., Computational Geometry, chapter 15.)
 struct RoomGraph {
   std::vector<RoomNode> nodes;
   std::vector<RoomEdge> edges;  ///< Undirected, each once.

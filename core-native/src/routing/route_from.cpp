@@ -52,7 +52,9 @@ Router::Connection Router::connect(const Spot& start, const RouteTree& tree, con
   const auto& passages = space(start.room).passages();
   const auto count = (end - begin) + static_cast<std::int32_t>(passages.size());
   const auto candidate = [&](std::int32_t i) {
-    return i < end - begin ? begin + i : door_node_[static_cast<std::size_t>(passages[static_cast<std::size_t>(i - (end - begin))].door)];
+    return i < end - begin
+               ? begin + i
+               : door_node_[static_cast<std::size_t>(passages[static_cast<std::size_t>(i - (end - begin))].door)];
   };
   const auto detour = [&](std::int32_t n) {
     const std::int32_t out = tree.way_out[static_cast<std::size_t>(n)];
@@ -149,7 +151,9 @@ void Router::follow(const Spot& start, const RouteTree& tree, const Connection& 
 
 Status Router::route_from(const Spot& from, const RouteTree& tree, Route& route, const BoundFor& bound_for) const {
   route.clear();
-  if (!building_->has_room(from.room) || !is_finite(from.at)) return Error{"the start lies in no room of this building"};
+  if (!building_->has_room(from.room) || !is_finite(from.at)) {
+    return Error{"the start lies in no room of this building"};
+  }
   if (tree.cost.size() != nodes_.size() || tree.targets.empty()) return Error{"no destination is set"};
   Spot start = from;
   const FreeSpace& free = space(from.room);

@@ -137,7 +137,8 @@ void Router::grow_tree(RouteTree& tree) const {
     const std::int32_t next = tree.next[static_cast<std::size_t>(n)];
     const bool out = kind == WaypointKind::door || kind == WaypointKind::link_from;
     tree.way_out[static_cast<std::size_t>(n)] = out ? n : next < 0 ? -1 : tree.way_out[static_cast<std::size_t>(next)];
-    for (std::int32_t e = edge_begin_[static_cast<std::size_t>(n)]; e < edge_begin_[static_cast<std::size_t>(n) + 1]; ++e) {
+    for (std::int32_t e = edge_begin_[static_cast<std::size_t>(n)]; e < edge_begin_[static_cast<std::size_t>(n) + 1];
+         ++e) {
       const Edge& edge = edges_[static_cast<std::size_t>(e)];
       const bool avoided = edge.stairs && tree.preferences.avoid_stairs;
       const double through = cost + edge.cost + (avoided ? config_.avoided_cost_m : 0.0);

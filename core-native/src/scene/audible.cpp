@@ -14,7 +14,8 @@ constexpr double kBeside = 0.5;   // Metres around the floor's grid to which an 
 Bounds places_of(const RoomScene& room) noexcept {
   Bounds places;
   places.include(room.grid_origin);
-  places.include(room.grid_origin + room.cell_size * Vec2{static_cast<double>(room.columns), static_cast<double>(room.rows)});
+  places.include(room.grid_origin +
+                 room.cell_size * Vec2{static_cast<double>(room.columns), static_cast<double>(room.rows)});
   return places.grown(kBeside);
 }
 

@@ -64,7 +64,8 @@ double distance_to_box(Vec2 p, const Box& box) noexcept {
   return hypotenuse(dx, dy);
 }
 
-bool may_answer(const RoomScene& room, std::size_t index, const Box& box, const SightLimits& limits, Candidate& out) noexcept {
+bool may_answer(const RoomScene& room, std::size_t index, const Box& box, const SightLimits& limits,
+                Candidate& out) noexcept {
   const Reflector& r = room.reflectors[index];
   out.reflector = static_cast<std::uint16_t>(index);
   if (r.kind == ReflectorKind::wall) return wall_candidate(r, box, limits, out);

@@ -22,7 +22,9 @@ struct SightLimits {
 /// An upright box of places, from its lower left corner counter-clockwise.
 using Box = std::array<Vec2, 4>;
 
-[[nodiscard]] inline Box make_box(Vec2 low, Vec2 high) noexcept { return {low, Vec2{high.x, low.y}, high, Vec2{low.x, high.y}}; }
+[[nodiscard]] inline Box make_box(Vec2 low, Vec2 high) noexcept {
+  return {low, Vec2{high.x, low.y}, high, Vec2{low.x, high.y}};
+}
 [[nodiscard]] double distance_to_box(Vec2 p, const Box& box) noexcept;
 
 /// A reflector, and the stretch of it from which an echo can come back into a box.
@@ -33,7 +35,8 @@ struct Candidate {
 };
 
 /// False only when nothing of the room's reflector `index` can answer anybody in `box`, whatever stands in between.
-[[nodiscard]] bool may_answer(const RoomScene& room, std::size_t index, const Box& box, const SightLimits& limits, Candidate& out) noexcept;
+[[nodiscard]] bool may_answer(const RoomScene& room, std::size_t index, const Box& box, const SightLimits& limits,
+                              Candidate& out) noexcept;
 
 [[nodiscard]] inline bool may_be_rough(const Candidate& wall, const SightLimits& limits) noexcept {
   return wall.nearest < limits.rough_range;

@@ -26,7 +26,8 @@ bool blocks_all(const Segment& s, const Box& box, const Segment& feet) noexcept 
 // Where the way from a wall to a corner that it mirrors may lead: it begins kSightClearance before the wall.
 Hull ways_from_mirror(const Segment& feet, const Reflector& corner) noexcept {
   const Vec2 before = kSightClearance / distance(corner.a, corner.b) * (corner.b - corner.a);
-  const Vec2 aside = dot(feet.direction(), perpendicular(before)) < 0.0 ? -perpendicular(before) : perpendicular(before);
+  const Vec2 aside =
+      dot(feet.direction(), perpendicular(before)) < 0.0 ? -perpendicular(before) : perpendicular(before);
   const Vec2 begin = feet.a - aside;
   return {begin, feet.b + aside, begin + before, corner.b};
 }
@@ -81,7 +82,8 @@ CellScratch::CellScratch(std::size_t reflectors, std::size_t occluders) {
 }
 
 std::size_t CellScratch::largest_cell() const noexcept {
-  return entries_.capacity() * sizeof(Cell::Entry) + (items_.capacity() + occluders_.capacity()) * sizeof(std::uint16_t);
+  return entries_.capacity() * sizeof(Cell::Entry) +
+         (items_.capacity() + occluders_.capacity()) * sizeof(std::uint16_t);
 }
 
 std::size_t CellScratch::memory() const noexcept {
@@ -171,7 +173,8 @@ class CellCompiler {
       return {sectors, sectors};
     }
     const double rough = r.kind == ReflectorKind::wall && may_be_rough(c, limits_) ? limits_.rough_cut_off_rad : 0.0;
-    return {sectors_near(arc, std::max(limits_.sharp_cut_off_rad, rough)), sectors_near(arc, std::max(limits_.cut_off_rad, rough))};
+    return {sectors_near(arc, std::max(limits_.sharp_cut_off_rad, rough)),
+            sectors_near(arc, std::max(limits_.cut_off_rad, rough))};
   }
 
   void list_sectors(Cell& cell) noexcept {
@@ -196,10 +199,12 @@ class CellCompiler {
   std::optional<std::uint16_t> all_begin_;   // Where all the occluders are listed.
 };
 
-Cell compile_cell(const RoomScene& room, Vec2 low, Vec2 high, const SightLimits& limits, CellScratch& scratch) noexcept {
+Cell compile_cell(const RoomScene& room, Vec2 low, Vec2 high, const SightLimits& limits,
+                  CellScratch& scratch) noexcept {
   const Box box = make_box(low, high);
   Cell cell = CellCompiler(room, box, limits, scratch).compile();
-  cell.plain_floor = room.floor.begin.size() > 1 && !room.floor.crossed_by_box(low, high) && room.floor.contains(0.5 * (low + high));
+  cell.plain_floor =
+      room.floor.begin.size() > 1 && !room.floor.crossed_by_box(low, high) && room.floor.contains(0.5 * (low + high));
   return cell;
 }
 

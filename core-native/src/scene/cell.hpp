@@ -13,7 +13,8 @@ namespace echoway::scene {
 /// costs the same in a building of ten rooms and of a thousand. Whoever made the cell holds its lists.
 struct Cell {
   static constexpr int kSectors = 32;
-  static constexpr std::uint16_t kCoarseOnly = 0x8000;    ///< Marks an item that only a coarse beam reaches from this sector.
+  /// Marks an item that only a coarse beam reaches from this sector.
+  static constexpr std::uint16_t kCoarseOnly = 0x8000;
 
   struct Entry {
     std::uint16_t reflector = 0;        ///< Index into RoomScene::reflectors.
@@ -54,9 +55,10 @@ class CellScratch {
   std::vector<std::uint16_t> occluders_;
 };
 
-/// What may be seen from the box `low` ... `high` of `room`, in the room's order. A reflector or an occluder is left out only where
-/// no point of the box can tell, so a cell's lists give the same echoes as the whole room would. The lists stand in `scratch`
-/// until the next call. REQUIRES: `scratch` was made for rooms as large as `room`.
-[[nodiscard]] Cell compile_cell(const RoomScene& room, Vec2 low, Vec2 high, const SightLimits& limits, CellScratch& scratch) noexcept;
+/// What may be seen from the box `low` ... `high` of `room`, in the room's order. A reflector or an occluder is left
+/// out only where no point of the box can tell, so a cell's lists give the same echoes as the whole room would. The
+/// lists stand in `scratch` until the next call. REQUIRES: `scratch` was made for rooms as large as `room`.
+[[nodiscard]] Cell compile_cell(const RoomScene& room, Vec2 low, Vec2 high, const SightLimits& limits,
+                                CellScratch& scratch) noexcept;
 
 }  // namespace echoway::scene

@@ -19,7 +19,9 @@ std::size_t bytes_of(const Cell& cell) noexcept {
 }  // namespace
 
 CellStore::CellStore(std::size_t cells, std::size_t largest)
-    : slot_of_cell_(cells, -1), slots_(std::clamp<std::size_t>(cells, 1, kMaxSlots)), lists_(std::max(largest, kBytesPerSlot * slots_.size())) {}
+    : slot_of_cell_(cells, -1),
+      slots_(std::clamp<std::size_t>(cells, 1, kMaxSlots)),
+      lists_(std::max(largest, kBytesPerSlot * slots_.size())) {}
 
 const Cell& CellStore::put(std::size_t id, const Cell& cell) noexcept {
   make_room(bytes_of(cell));

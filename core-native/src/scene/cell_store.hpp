@@ -8,8 +8,8 @@
 
 namespace echoway::scene {
 
-/// The cells compiled last, in memory of fixed size: a full room's cells take much of it, others little. The oldest make
-/// room for a new one, so nothing is allocated after construction and no cell is ever too large.
+/// The cells compiled last, in memory of fixed size: a full room's cells take much of it, others little. The oldest
+/// make room for a new one, so nothing is allocated after construction and no cell is ever too large.
 class CellStore {
  public:
   /// For a building of so many cells, none of which takes more than `largest` bytes.

@@ -65,7 +65,9 @@ Turn from_all_reflective(const Reflector& r, const Ray& ray) noexcept {
     const double range = r.signed_distance(ray.eye) / approach;
     const Vec2 at = ray.eye + range * side;
     const double t = r.along(at);
-    if (range > kNearest && t >= 0.0 && t <= r.length && (!best.present || range < best.range)) best = {true, at, {}, range};
+    if (range > kNearest && t >= 0.0 && t <= r.length && (!best.present || range < best.range)) {
+      best = {true, at, {}, range};
+    }
   }
   return best;
 }
@@ -135,7 +137,9 @@ bool can_be_seen(const RoomScene& room, const Reflector& r, const Ray& ray, cons
   return !beside_its_door(room, r, ray.eye, turn.at) && !hidden(room, ray.eye, turn.at);
 }
 
-double at_most(double value, double most) noexcept { return std::isfinite(value) ? std::clamp(value, 0.0, most) : most; }
+double at_most(double value, double most) noexcept {
+  return std::isfinite(value) ? std::clamp(value, 0.0, most) : most;
+}
 
 }  // namespace
 
@@ -144,10 +148,13 @@ struct EchoExplainer::Impl {
   std::vector<RoomScene> rooms;
 };
 
-EchoExplainer::EchoExplainer(const Building& building, const BeltConfig& belt) : impl_(std::make_unique<Impl>(Impl{belt, {}})) {
+EchoExplainer::EchoExplainer(const Building& building, const BeltConfig& belt)
+    : impl_(std::make_unique<Impl>(Impl{belt, {}})) {
   const scene::RoomCompiler compiler(building, belt.max_range_m, kCellSize);
   impl_->rooms.reserve(compiler.rooms());
-  for (std::size_t i = 0; i < compiler.rooms(); ++i) impl_->rooms.push_back(compiler.compile(static_cast<RoomIndex>(i)));
+  for (std::size_t i = 0; i < compiler.rooms(); ++i) {
+    impl_->rooms.push_back(compiler.compile(static_cast<RoomIndex>(i)));
+  }
 }
 EchoExplainer::~EchoExplainer() = default;
 
@@ -158,7 +165,9 @@ ExplainedEcho EchoExplainer::explain(const Firing& firing, const Estimate& estim
   if (!placed) return echo;
   echo.room = estimate.room;
   const BeltConfig& belt = impl_->belt;
-  if (firing.sensor < 0 || firing.sensor >= belt.sensors || !firing.has_echo() || !std::isfinite(firing.range_m)) return echo;
+  if (firing.sensor < 0 || firing.sensor >= belt.sensors || !firing.has_echo() || !std::isfinite(firing.range_m)) {
+    return echo;
+  }
 
   const RoomScene& room = impl_->rooms[static_cast<std::size_t>(estimate.room)];
   const Vec2 axis = unit_from_angle(estimate.pose.heading + belt.bearing(firing.sensor));

@@ -24,7 +24,7 @@ struct Reflector {
   bool seen_from_left : 1 = true;   ///< Its normal points to the left of a -> b, else to the right.
   std::int16_t opening = -1;     ///< Index of the room's opening through which it is seen; -1: the room's own.
   std::int16_t own_index = -1;   ///< Index among the room's occluders of the piece itself, which cannot hide itself.
-  std::int16_t mirror = -1;      ///< Of a mirrored corner: index among the room's reflectors of the wall that mirrors it.
+  std::int16_t mirror = -1;      ///< Of a mirrored corner: index among the room's reflectors of the mirroring wall.
   Vec2 a{};                      ///< Ends; a == b for corners and edges. Of a mirrored corner its image
   Vec2 b{};                      ///< and the corner itself.
   Vec2 normal{};                 ///< Unit, towards the side from which it is seen. Zero for points.
@@ -36,7 +36,9 @@ struct Reflector {
   }
   [[nodiscard]] double signed_distance(Vec2 p) const noexcept { return dot(normal, p) + offset; }
   /// Unit, from a to b. Zero for points.
-  [[nodiscard]] Vec2 tangent() const noexcept { return seen_from_left ? Vec2{normal.y, -normal.x} : Vec2{-normal.y, normal.x}; }
+  [[nodiscard]] Vec2 tangent() const noexcept {
+    return seen_from_left ? Vec2{normal.y, -normal.x} : Vec2{-normal.y, normal.x};
+  }
   [[nodiscard]] double along(Vec2 p) const noexcept { return dot(tangent(), p - a); }
 };
 

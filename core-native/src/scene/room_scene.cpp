@@ -74,7 +74,9 @@ void cut_wall(const Segment& wall, const std::vector<Opening>& openings, std::ve
     if (std::abs(cross(t, o.tangent)) > 0.17) continue;
     if (std::abs(cross(t, o.centre - wall.a)) > kDoorReach) continue;
     const double middle = dot(t, o.centre - wall.a);
-    if (middle + o.half_width > 0.0 && middle - o.half_width < length) holes.emplace_back(middle - o.half_width, middle + o.half_width);
+    if (middle + o.half_width > 0.0 && middle - o.half_width < length) {
+      holes.emplace_back(middle - o.half_width, middle + o.half_width);
+    }
   }
   std::sort(holes.begin(), holes.end());
   double from = 0.0;
@@ -85,7 +87,8 @@ void cut_wall(const Segment& wall, const std::vector<Opening>& openings, std::ve
   if (length - from > kShortestPiece) pieces.push_back({wall.a + from * t, from == 0.0 ? wall.b : wall.a + length * t});
 }
 
-// True unless walls that meet at `corner` say that it is not a right angle: only a right one returns sound straight back.
+// True unless walls that meet at `corner` say that it is not a right angle: only a right one returns sound straight
+// back.
 bool is_right_angle(const Room& room, Vec2 corner) {
   std::vector<Vec2> directions;
   for (const Segment& w : room.walls) {
@@ -210,8 +213,8 @@ bool in_line(const Opening& door, const Segment& second) noexcept {
          std::abs(cross(door.tangent, second.b - door.centre)) < kWallThickness;
 }
 
-// The corners of the room as its walls mirror them. Sound that meets a wall aslant goes on to a corner and comes back the
-// same way: the longest and commonest of the echoes by more than one reflection.
+// The corners of the room as its walls mirror them. Sound that meets a wall aslant goes on to a corner and comes back
+// the same way: the longest and commonest of the echoes by more than one reflection.
 void add_mirrored_corners(RoomScene& scene, double max_range) {
   constexpr double kShortestMirror = 0.25;
   constexpr std::size_t kMost = 2000;
@@ -241,8 +244,10 @@ void add_mirrored_corners(RoomScene& scene, double max_range) {
 RoomCompiler::RoomCompiler(const Building& building, double max_range, double cell_size)
     : own_(building.rooms.size()), max_range_(max_range) {
   for (const Door& d : building.doors) {
-    own_[static_cast<std::size_t>(d.room_a)].openings.push_back(make_opening(building, d.room_a, d.at_a, d.room_b, d.at_b, d.width));
-    own_[static_cast<std::size_t>(d.room_b)].openings.push_back(make_opening(building, d.room_b, d.at_b, d.room_a, d.at_a, d.width));
+    own_[static_cast<std::size_t>(d.room_a)].openings.push_back(
+        make_opening(building, d.room_a, d.at_a, d.room_b, d.at_b, d.width));
+    own_[static_cast<std::size_t>(d.room_b)].openings.push_back(
+        make_opening(building, d.room_b, d.at_b, d.room_a, d.at_a, d.width));
   }
   std::uint32_t next_cell = 0;
   for (std::size_t i = 0; i < own_.size(); ++i) {
@@ -266,8 +271,8 @@ RoomScene RoomCompiler::compile(RoomIndex room) const {
       if (next.to == room) continue;
       const Segment second{frame.apply(next.span().a), frame.apply(next.span().b)};
       if (in_line(door, second) || distance(second, door.centre) > max_range_) continue;
-      add_seen(scene, own_[static_cast<std::size_t>(next.to)], compose(frame, inverse(next)), static_cast<std::int16_t>(d),
-               door.span(), &second, max_range_);
+      add_seen(scene, own_[static_cast<std::size_t>(next.to)], compose(frame, inverse(next)),
+               static_cast<std::int16_t>(d), door.span(), &second, max_range_);
     }
   }
   return scene;

@@ -53,8 +53,8 @@ struct RoomScene {
   [[nodiscard]] double box_area() const noexcept { return (high.x - low.x) * (high.y - low.y); }
 };
 
-/// Compiles the rooms of a building one by one, so that no more than one of them is held whole. Sound is followed through at
-/// most two open doors and `max_range` metres.
+/// Compiles the rooms of a building one by one, so that no more than one of them is held whole. Sound is followed
+/// through at most two open doors and `max_range` metres.
 class RoomCompiler {
  public:
   RoomCompiler(const Building& building, double max_range, double cell_size);

@@ -54,9 +54,9 @@ const Cell& Scene::compile(const RoomScene& room, int column, int row) noexcept 
 std::size_t Scene::memory() const noexcept {
   std::size_t bytes = scratch_.memory() + cells_.memory();
   for (const RoomScene& r : rooms_) {
-    bytes += sizeof(RoomScene) + r.reflectors.capacity() * sizeof(Reflector) + r.occluders.capacity() * sizeof(Segment) +
-             r.openings.capacity() * sizeof(Opening) + r.floor.vertices.capacity() * sizeof(Vec2) +
-             r.floor.begin.capacity() * sizeof(std::uint32_t);
+    bytes += sizeof(RoomScene) + r.reflectors.capacity() * sizeof(Reflector) +
+             r.occluders.capacity() * sizeof(Segment) + r.openings.capacity() * sizeof(Opening) +
+             r.floor.vertices.capacity() * sizeof(Vec2) + r.floor.begin.capacity() * sizeof(std::uint32_t);
   }
   return bytes;
 }

@@ -11,8 +11,8 @@ namespace echoway::scene {
 
 inline constexpr double kCellSize = 0.5;    ///< Metres; more in very large rooms.
 
-/// A building compiled for one belt. Cells are compiled when first looked at and kept in memory of fixed size, so that a
-/// large building loads at once, holds little, and the firing path allocates nothing.
+/// A building compiled for one belt. Cells are compiled when first looked at and kept in memory of fixed size, so that
+/// a large building loads at once, holds little, and the firing path allocates nothing.
 class Scene {
  public:
   Scene(const Building& building, const SightLimits& limits);
@@ -27,8 +27,9 @@ class Scene {
     const Vec2 local = r.cells_per_metre * (p - r.grid_origin);
     const int column = static_cast<int>(std::clamp(local.x, 0.0, r.columns - 0.5));
     const int row = static_cast<int>(std::clamp(local.y, 0.0, r.rows - 0.5));
-    const Cell* const cell = cells_.find(r.first_cell + static_cast<std::size_t>(row) * static_cast<std::size_t>(r.columns) +
-                                         static_cast<std::size_t>(column));
+    const Cell* const cell =
+        cells_.find(r.first_cell + static_cast<std::size_t>(row) * static_cast<std::size_t>(r.columns) +
+                    static_cast<std::size_t>(column));
     return cell != nullptr ? *cell : compile(r, column, row);
   }
 

@@ -84,7 +84,8 @@ SceneReport report_scene(const Building& building, const BeltConfig& belt) {
   for (std::size_t i = 0; i < building.rooms.size(); ++i) {
     const auto room = static_cast<RoomIndex>(i);
     const RoomScene whole = compiler.compile(room);
-    report.sources += static_cast<std::size_t>(std::ranges::count_if(whole.reflectors, [](const Reflector& r) { return r.opening < 0; }));
+    report.sources += static_cast<std::size_t>(
+        std::ranges::count_if(whole.reflectors, [](const Reflector& r) { return r.opening < 0; }));
     report.rooms.push_back(count_room(compiled, room, whole));
     report.levels |= building.rooms[i].level != building.rooms[0].level;
   }

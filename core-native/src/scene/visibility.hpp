@@ -43,7 +43,8 @@ template <std::size_t N>
 class Hull {
  public:
   /// All straight ways from an upright box to a stretch, or to a point.
-  Hull(const std::array<Vec2, 4>& box, const Segment& to) noexcept : points_{box[0], box[1], box[2], box[3], to.a, to.b}, count_(6) {
+  Hull(const std::array<Vec2, 4>& box, const Segment& to) noexcept
+      : points_{box[0], box[1], box[2], box[3], to.a, to.b}, count_(6) {
     add_axis({1.0, 0.0});
     add_axis({0.0, 1.0});
     for (Vec2 corner : box) add_axis(perpendicular(to.a - corner));
@@ -120,14 +121,15 @@ struct Bounds : echoway::Box {
   return (c > 0.0) != (f > 0.0);
 }
 
-/// What lies beyond a door is heard through the opening; nearer to its centre than this, the belt may already be through.
+/// What lies beyond a door is heard through the opening; nearer to its centre than this, the belt may already be
+/// through.
 inline constexpr double kInDoorway = 0.6;
 
 /// Sight to a reflector is followed to this much in front of it, so that what it touches does not hide it.
 inline constexpr double kSightClearance = 0.03;
 
-/// A wall's mirror spot needs about half a Fresnel zone of wall (sqrt(lambda z) / 2, 7 cm at 3 m): the echo fades over this
-/// much before a wall's end and as much beyond it; over more where headings are on a coarse grid.
+/// A wall's mirror spot needs about half a Fresnel zone of wall (sqrt(lambda z) / 2, 7 cm at 3 m): the echo fades over
+/// this much before a wall's end and as much beyond it; over more where headings are on a coarse grid.
 inline constexpr double kWallEndSoftness = 0.07;
 inline constexpr double kCoarseWallEndSoftness = 0.20;
 

@@ -31,13 +31,17 @@ Status check_belt(const BeltConfig& belt) {
       return Error{"the belt's beam, slot, ranges, noise or temperature is not a positive, finite number"};
     }
   }
-  if (!(belt.radius_m >= 0.0) || !std::isfinite(belt.radius_m)) return Error{"the belt's radius is negative or not finite"};
+  if (!(belt.radius_m >= 0.0) || !std::isfinite(belt.radius_m)) {
+    return Error{"the belt's radius is negative or not finite"};
+  }
   return success();
 }
 
 Status check_config(const SessionConfig& config, const Building& building) {
   if (building.rooms.empty()) return Error{"the building has no rooms"};
-  if (config.air_c && !(*config.air_c > -273.15 && std::isfinite(*config.air_c))) return Error{"the air's temperature is none"};
+  if (config.air_c && !(*config.air_c > -273.15 && std::isfinite(*config.air_c))) {
+    return Error{"the air's temperature is none"};
+  }
   if (Status belt = check_belt(config.belt); !belt) return belt;
   return check_start(config.start, building);
 }
@@ -213,7 +217,9 @@ Status Session::set_destination(const Goal& goal, RoutePreferences preferences) 
   return impl_->guide.set_destination(goal, preferences, impl_->wearers_room());
 }
 
-Status Session::way_out(RoutePreferences preferences) { return impl_->guide.way_out(preferences, impl_->wearers_room()); }
+Status Session::way_out(RoutePreferences preferences) {
+  return impl_->guide.way_out(preferences, impl_->wearers_room());
+}
 Status Session::back_track() { return impl_->guide.back_track(); }
 void Session::clear_destination() { impl_->guide.clear_destination(); }
 void Session::where_am_i() { impl_->guide.where_am_i(); }

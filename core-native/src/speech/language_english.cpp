@@ -4,9 +4,9 @@ namespace echoway::speech {
 namespace {
 
 std::string number(int n) {
-  static constexpr const char* kSmall[] = {"zero",    "one",     "two",       "three",    "four",     "five",    "six",
-                                           "seven",   "eight",   "nine",      "ten",      "eleven",   "twelve",  "thirteen",
-                                           "fourteen", "fifteen", "sixteen",  "seventeen", "eighteen", "nineteen"};
+  static constexpr const char* kSmall[] = {
+      "zero", "one",    "two",    "three",    "four",     "five",    "six",     "seven",     "eight",    "nine",
+      "ten",  "eleven", "twelve", "thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen"};
   static constexpr const char* kTens[] = {"",      "",      "twenty",  "thirty", "forty",
                                           "fifty", "sixty", "seventy", "eighty", "ninety"};
   if (n < 0 || n > 999) return std::to_string(n);

@@ -5,9 +5,9 @@ namespace {
 
 /// `last`: nothing follows the one ("eins"); else something does ("ein", "einundzwanzig").
 std::string cardinal(int n, bool last) {
-  static constexpr const char* kSmall[] = {"null",     "ein",      "zwei",     "drei",     "vier",    "fünf",    "sechs",
-                                           "sieben",   "acht",     "neun",     "zehn",     "elf",     "zwölf",   "dreizehn",
-                                           "vierzehn", "fünfzehn", "sechzehn", "siebzehn", "achtzehn", "neunzehn"};
+  static constexpr const char* kSmall[] = {
+      "null", "ein", "zwei",  "drei",     "vier",     "fünf",     "sechs",    "sieben",   "acht",     "neun",
+      "zehn", "elf", "zwölf", "dreizehn", "vierzehn", "fünfzehn", "sechzehn", "siebzehn", "achtzehn", "neunzehn"};
   static constexpr const char* kTens[] = {"",        "",        "zwanzig", "dreißig", "vierzig",
                                           "fünfzig", "sechzig", "siebzig", "achtzig", "neunzig"};
   if (n < 0 || n > 999) return std::to_string(n);
@@ -67,7 +67,8 @@ const LanguageTable& german() noexcept {
                  "Scharf links drehen.", "Scharf rechts drehen.", "Umdrehen."}},
       .on_side = {{"vor Ihnen", "links von Ihnen", "rechts von Ihnen", "links von Ihnen", "rechts von Ihnen",
                    "links von Ihnen", "rechts von Ihnen", "hinter Ihnen"}},
-      .sensors = {{"vorne", "vorne links", "links", "hinten links", "hinten", "hinten rechts", "rechts", "vorne rechts"}},
+      .sensors = {{"vorne", "vorne links", "links", "hinten links", "hinten", "hinten rechts", "rechts",
+                   "vorne rechts"}},
       .sides = {{"links", "rechts"}},
       .vague = {{"ein, zwei Schritte", "ein paar Schritte", "einige Schritte", "noch ein Stück"}},
       .clock = "auf {n} Uhr",

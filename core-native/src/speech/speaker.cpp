@@ -220,7 +220,9 @@ int words_of_longest_sentence(std::string_view line) {
 
 /// Where the line would be too long it tells the direction by its side; where it still is, it leaves the distance out.
 std::string say_briefly(const Building& building, SpeechStyle style, const Cue& cue, CueTail fact) {
-  const auto say = [&](bool named) { return Line(building, style, cue, named).say(fact.kind, fact.direction, fact.distance_m); };
+  const auto say = [&](bool named) {
+    return Line(building, style, cue, named).say(fact.kind, fact.direction, fact.distance_m);
+  };
   const auto is_too_long = [&] { return words_of_longest_sentence(say(false)) > kMostWords; };
   if (is_too_long()) style.direction = DirectionStyle::sides;
   if (is_too_long()) fact.distance_m = -1.0;

@@ -8,8 +8,8 @@ namespace {
 
 // Scans that a place must have explained before it can stand out.
 constexpr int kLeastScans = 2;
-// A place is given up when it is this many margins behind the first, or its mean objective is above this share of what a
-// reading can differ at most.
+// A place is given up when it is this many margins behind the first, or its mean objective is above this share of what
+// a reading can differ at most.
 constexpr double kGiveUp = 4.0;
 constexpr double kHopeless = 0.8;
 

@@ -146,7 +146,8 @@ Match PoseMatcher::match(const Scan& scan, const Bounds& bounds, MatchWorkspace&
   const Grid grid{parameters_.position_spacing_m, sensor_step(model_.belt().sensors, parameters_.heading_spacing_rad)};
   const Headings headings = headings_for(model_.belt().sensors, grid.sensor_step, bounds.half_turn);
   Spread spread(bounds.centre, parameters_.map_error_m / std::max(1, least_matches_));
-  const Pose2 layout{bounds.centre, bounds.heading};  // the grid turns with the wearer, so the answer turns with the map
+  // The grid turns with the wearer, so the answer turns with the map.
+  const Pose2 layout{bounds.centre, bounds.heading};
   Match match;
   Mode best;
   workspace.directions_.reset(bounds.heading, headings.count);

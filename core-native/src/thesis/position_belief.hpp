@@ -32,7 +32,8 @@ class PositionBelief {
   /// The wearer may have moved by `sigma`, metres, in any direction (at least a centimetre).
   void move(double sigma) noexcept;
   /// Takes in what the matched readings say.
-  void observe(const Scan& scan, const Match& match, const RangeModel& model, const ThesisParameters& parameters) noexcept;
+  void observe(const Scan& scan, const Match& match, const RangeModel& model,
+               const ThesisParameters& parameters) noexcept;
   void rotate(double angle) noexcept { covariance_ = covariance_.rotated(angle); }
 
   [[nodiscard]] const Symmetric2& covariance() const noexcept { return covariance_; }

@@ -79,7 +79,8 @@ int drop_outliers(std::span<Reading> readings, double deviations) noexcept {
   double variance = 0.0;
   for (const Reading& r : readings) variance += (r.range_m - mean) * (r.range_m - mean) / n;
   const double limit = mean + deviations * std::sqrt(variance) + kRounding;
-  const auto end = std::remove_if(readings.begin(), readings.end(), [&](const Reading& r) { return r.range_m > limit; });
+  const auto end =
+      std::remove_if(readings.begin(), readings.end(), [&](const Reading& r) { return r.range_m > limit; });
   return static_cast<int>(end - readings.begin());
 }
 

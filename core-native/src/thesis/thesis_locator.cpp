@@ -83,9 +83,11 @@ ThesisLocator::ThesisLocator(const Building& building, const BeltConfig& belt, c
   const DetectionTable detection(belt, parameters.detection);
   rooms_.reserve(building.rooms.size());
   for (std::size_t i = 0; i < building.rooms.size(); ++i) {
-    rooms_.emplace_back(building.rooms[i], openings_of(building, static_cast<RoomIndex>(i)), belt, detection, parameters);
+    rooms_.emplace_back(building.rooms[i], openings_of(building, static_cast<RoomIndex>(i)), belt, detection,
+                        parameters);
   }
-  hypotheses_.reserve(std::max(building.rooms.size() + 1, static_cast<std::size_t>(std::max(2, parameters.hypotheses))));
+  hypotheses_.reserve(
+      std::max(building.rooms.size() + 1, static_cast<std::size_t>(std::max(2, parameters.hypotheses))));
   if (!(start.room && start.position && start.heading)) {
     search_.emplace(start, belt, parameters);
     return;
@@ -135,8 +137,8 @@ bool ThesisLocator::on_firing(const Firing& firing) {
   return true;
 }
 
-// The thesis's bounds hold for one scan's time; the longer the last good match is ago, the farther the wearer may be from
-// where it put them.
+// The thesis's bounds hold for one scan's time; the longer the last good match is ago, the farther the wearer may be
+// from where it put them.
 double ThesisLocator::growth(const Scan& scan) const noexcept {
   const double usual = parameters_.passes * belt_.sensors * belt_.slot_s;
   if (!good_s_ || !(usual > 0.0)) return 1.0;
@@ -310,7 +312,8 @@ void ThesisLocator::report_rooms() {
   hypotheses_.push_back({estimate_.room, estimate_.pose, estimate_.sigma_m, estimate_.room_probability});
   for (const Candidate& c : queue_.candidates()) {
     if (!c.match.found) continue;
-    hypotheses_.push_back({c.room, c.match.pose, parameters_.candidate_growth * estimate_.sigma_m, c.likelihood / total});
+    hypotheses_.push_back(
+        {c.room, c.match.pose, parameters_.candidate_growth * estimate_.sigma_m, c.likelihood / total});
   }
   std::stable_sort(hypotheses_.begin(), hypotheses_.end(),
                    [](const Hypothesis& a, const Hypothesis& b) { return a.probability > b.probability; });

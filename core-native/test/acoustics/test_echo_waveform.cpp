@@ -73,8 +73,8 @@ TEST(EchoWaveform, ArrivesAfterTheWayThereAndBack) {
 }
 
 TEST(EchoWaveform, FallsOffTheAxisAsCosineTimesDirectivitySquared) {
-  // The middle of a 16-cycle burst is nearly a steady tone. R = 19.2 mm at 5 degrees: x = 904 * 0.0192 * 0.0872 = 1.513,
-  // 2 J1(x)/x = 0.7372, times cos: 0.7344, squared 0.539.
+  // The middle of a 16-cycle burst is nearly a steady tone. R = 19.2 mm at 5 degrees: x = 904 * 0.0192 * 0.0872 =
+  // 1.513, 2 J1(x)/x = 0.7372, times cos: 0.7344, squared 0.539.
   const Transducer transducer;
   const double head_on = echo_waveform(transducer, ElementKind::wall, 1.0, 0.0, kFine).peak();
   const double inclined = echo_waveform(transducer, ElementKind::wall, 1.0, degrees(5.0), kFine).peak();
@@ -93,7 +93,8 @@ TEST(FirstCrossing, ComesSoonerForALouderEcho) {
   receiver.threshold = 1e-3;
   const Transducer transducer;
   const auto wall = first_crossing(echo_waveform(transducer, ElementKind::wall, 1.0, 0.0, kFine), receiver);
-  const auto inclined = first_crossing(echo_waveform(transducer, ElementKind::wall, 1.0, degrees(7.0), kFine), receiver);
+  const auto inclined =
+      first_crossing(echo_waveform(transducer, ElementKind::wall, 1.0, degrees(7.0), kFine), receiver);
   ASSERT_TRUE(wall && inclined);
   EXPECT_LT(*wall, *inclined);
   // Both within the burst that begins at 2z/c, less the 27 us that the inclined wave front needs to cross the face.

@@ -74,9 +74,12 @@ TEST(TransmitReceiveResponse, IsTheReceiverResponseConvolvedWithItself) {
     double expected = 0.0;
     for (std::ptrdiff_t i = 0; i < n; ++i) {
       const std::ptrdiff_t j = 2 * single.half() + shift - i;
-      if (j >= 0 && j < n) expected += single.mass[static_cast<std::size_t>(i)] * single.mass[static_cast<std::size_t>(j)];
+      if (j >= 0 && j < n) {
+        expected += single.mass[static_cast<std::size_t>(i)] * single.mass[static_cast<std::size_t>(j)];
+      }
     }
-    EXPECT_NEAR(pair.mass[static_cast<std::size_t>(pair.half() + shift)], expected, 2e-3 * pair.mass[pair.mass.size() / 2])
+    EXPECT_NEAR(pair.mass[static_cast<std::size_t>(pair.half() + shift)], expected,
+                2e-3 * pair.mass[pair.mass.size() / 2])
         << shift;
   }
 }

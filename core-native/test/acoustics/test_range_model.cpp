@@ -83,7 +83,8 @@ TEST(RangeModel, MeasuresFromTheFace) {
 }
 
 TEST(RangeModel, TheNearestInTheBeamWins) {
-  // At (5.5, 3.6) looking to 40 degrees with a 100 degree beam: east wall 0.5, north wall 0.4, corner sqrt(0.41) = 0.640.
+  // At (5.5, 3.6) looking to 40 degrees with a 100 degree beam: east wall 0.5, north wall 0.4, corner sqrt(0.41) =
+  // 0.640.
   const Scene scene(rooms::rectangle(6.0, 4.0), belt_of(0.0, 100.0));
   expect_echo(scene.towards({5.5, 3.6}, 45.0), ElementKind::wall, 2, 0.4);
   expect_echo(scene.towards({5.5, 3.6}, 0.0), ElementKind::wall, 1, 0.5);
@@ -202,7 +203,8 @@ TEST(RangeModel, FindsTheDoorsOfARoomFromEitherSide) {
 TEST(RangeModel, KnowsTheGreatestRangeOfARoom) {
   const BeltConfig belt;
   EXPECT_NEAR(RangeModel(rooms::rectangle(3.0, 4.0), {}, belt, DetectionTable(belt)).greatest_range(), 5.0, 1e-12);
-  EXPECT_NEAR(RangeModel(rooms::rectangle(30.0, 4.0), {}, belt, DetectionTable(belt)).greatest_range(), feet(35), 1e-12);
+  EXPECT_NEAR(RangeModel(rooms::rectangle(30.0, 4.0), {}, belt, DetectionTable(belt)).greatest_range(), feet(35),
+              1e-12);
 }
 
 // The sweep over a grid of directions is a faster way to the same answers.

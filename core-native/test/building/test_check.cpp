@@ -364,8 +364,9 @@ TEST_F(CheckBuilding, ARoomThatOnlyStairsReachHasNoPlaceOnItsLevel) {
 TEST_F(CheckBuilding, StairsAndElevatorsWithinOneLevel) {
   two_rooms();
   config("A 10 5 B 0 5\nroom A level 1\nroom B level 1\nstairs A 5 5 B 5 5\nelevator A 2 2 A 8 8\n");
-  EXPECT_THAT(findings(), ElementsAre(HasSubstr("building.cfg:4: the stairs join rooms 'A' and 'B', both on level 1; correct"),
-                                      HasSubstr("building.cfg:5: the elevator joins rooms 'A' and 'A', both on level 1")));
+  EXPECT_THAT(findings(),
+              ElementsAre(HasSubstr("building.cfg:4: the stairs join rooms 'A' and 'B', both on level 1; correct"),
+                          HasSubstr("building.cfg:5: the elevator joins rooms 'A' and 'A', both on level 1")));
 }
 
 TEST_F(CheckBuilding, RoomsThatOverlap) {

@@ -165,7 +165,8 @@ TEST(WriteBuilding, LeavesNothingOfABuildingThatCannotBeWritten) {
   building.doors.clear();
   const auto file = dir.write("taken", "");
   EXPECT_THAT(write_building(building, file).error().to_string(), HasSubstr("taken: is a file, not a folder"));
-  EXPECT_THAT(write_building(building, "/proc/nowhere/here").error().to_string(), HasSubstr("here: cannot be made a folder: No such"));
+  EXPECT_THAT(write_building(building, "/proc/nowhere/here").error().to_string(),
+              HasSubstr("here: cannot be made a folder: No such"));
 }
 
 }  // namespace

@@ -26,7 +26,8 @@ void expect_refused(const Arguments& arguments, const std::string& why) {
 }
 
 TEST(CommandLine, EveryCommandHasHelp) {
-  for (const char* command : {"bench", "check", "describe", "import", "locate", "monitor", "play", "score", "simulate"}) {
+  for (const char* command :
+       {"bench", "check", "describe", "import", "locate", "monitor", "play", "score", "simulate"}) {
     const ProcessResult result = run_echoway({command, "--help"});
     EXPECT_EQ(result.status, 0) << command;
     EXPECT_NE(result.out.find("Usage"), std::string::npos) << command;
@@ -44,11 +45,25 @@ TEST(CommandLine, BadUsageSaysWhatIsWrong) {
 }
 
 TEST(CommandLine, OptionsHoldDecimalNumbersInTheirRange) {
-  for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{
-           {"--sensors", "0"},   {"--sensors", "65"},  {"--sensors", "15.5"}, {"--sensors", "0x0f"}, {"--radius", "nan"},
-           {"--radius", "-0.1"}, {"--radius", "0x1p-3"}, {"--beam", "inf"},   {"--beam", "wide"},    {"--seed", "-1"},
-           {"--seed", "1.5"},    {"--seed", "99999999999999999999"},          {"--seed", ""},        {"--track", ""},
-           {"--scans", ""},      {"--motion", ""},     {"--start", ""},       {"--to", ""}}) {
+  for (const auto& [option, value] :
+       std::vector<std::pair<std::string, std::string>>{{"--sensors", "0"},
+                                                        {"--sensors", "65"},
+                                                        {"--sensors", "15.5"},
+                                                        {"--sensors", "0x0f"},
+                                                        {"--radius", "nan"},
+                                                        {"--radius", "-0.1"},
+                                                        {"--radius", "0x1p-3"},
+                                                        {"--beam", "inf"},
+                                                        {"--beam", "wide"},
+                                                        {"--seed", "-1"},
+                                                        {"--seed", "1.5"},
+                                                        {"--seed", "99999999999999999999"},
+                                                        {"--seed", ""},
+                                                        {"--track", ""},
+                                                        {"--scans", ""},
+                                                        {"--motion", ""},
+                                                        {"--start", ""},
+                                                        {"--to", ""}}) {
     Arguments arguments{"locate", option, value};
     for (const char* needed : {"--building", "--scans", "--track"}) {
       if (option != needed) arguments.insert(arguments.end(), {needed, "x"});
@@ -93,7 +108,8 @@ TEST(CommandLine, SimulateLeavesNoPieceOfAFileThatItCannotWrite) {
   const TemporaryFolder folder;
   const std::filesystem::path prefix = folder.path() / "walk";
   std::filesystem::create_directory(prefix.string() + ".walk");
-  expect_refused({"simulate", "--building", kLab, "--random", "5", "--out", prefix.string()}, prefix.string() + ".walk: ");
+  expect_refused({"simulate", "--building", kLab, "--random", "5", "--out", prefix.string()},
+                 prefix.string() + ".walk: ");
   for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
     EXPECT_TRUE(entry.path().extension() == ".csv" || entry.is_directory()) << entry.path();
   }
@@ -111,8 +127,10 @@ TEST(CommandLine, ARoomTooLargeToBeSimulatedIsNamed) {
   folder.write("room-plain.room", "4 0 0\n1 0 0 1e5 0\n1 1e5 0 1e5 1e5\n1 1e5 1e5 0 1e5\n1 0 1e5 0 0\n");
   const std::string stands = folder.write("at.csv", "time_s,room,x_m,y_m,heading_deg\n0,plain,5,5,0\n").string();
   const std::string out = (folder.path() / "x").string();
-  expect_refused({"simulate", "--building", folder.path().string(), "--random", "5", "--out", out}, "room plain is too large");
-  expect_refused({"simulate", "--building", folder.path().string(), "--at", stands, "--out", out}, "room plain is too large");
+  expect_refused({"simulate", "--building", folder.path().string(), "--random", "5", "--out", out},
+                 "room plain is too large");
+  expect_refused({"simulate", "--building", folder.path().string(), "--at", stands, "--out", out},
+                 "room plain is too large");
   expect_refused({"bench", "--building", folder.path().string(), "--walks", "1"}, "room plain is too large");
 }
 
@@ -121,7 +139,8 @@ TEST(CommandLine, NobodyScansWhereNobodyCanStand) {
   const std::string header = "time_s,room,x_m,y_m,heading_deg\n0,4,1,1,0\n";
   const auto expect_line_3_refused = [&](const std::string& stand, const std::string& why) {
     const std::string stands = folder.write("at.csv", header + stand).string();
-    expect_refused({"simulate", "--building", kLab, "--at", stands, "--out", (folder.path() / "x").string()}, stands + ":3: " + why);
+    expect_refused({"simulate", "--building", kLab, "--at", stands, "--out", (folder.path() / "x").string()},
+                   stands + ":3: " + why);
   };
   expect_line_3_refused("1,cellar,1,1,0\n", "there is no room cellar in the building");
   expect_line_3_refused("1,4,100,1,0\n", "the place is not inside room 4");

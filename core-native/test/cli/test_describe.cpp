@@ -33,7 +33,9 @@ std::string cell(const std::string& table, const std::string& room, const std::s
 TEST(Describe, SaysOfEveryRoomWhatIsLeftOut) {
   const auto result = run_echoway({"describe", kMaps + "/torgersen-lab", "--left-out"});
   ASSERT_EQ(result.status, 0) << result.err;
-  for (const char* room : {"1", "2", "3", "4", "5", "6", "hall"}) EXPECT_NE(line_of(result.out, room), "") << room << "\n" << result.out;
+  for (const char* room : {"1", "2", "3", "4", "5", "6", "hall"}) {
+    EXPECT_NE(line_of(result.out, room), "") << room << "\n" << result.out;
+  }
   // Benches stand in rooms 3 and 6: next door they are heard, from the front office nobody hears any.
   EXPECT_EQ(cell(result.out, "1", "all-reflective"), "-") << result.out;
   EXPECT_EQ(cell(result.out, "3", "all-reflective"), "14 of 14") << result.out;
@@ -52,7 +54,8 @@ TEST(Describe, OfSeveralLevelsNoStairsAreLeftOut) {
 }
 
 TEST(Describe, RefusesABuildingThatIsNone) {
-  for (const auto& arguments : {std::vector<std::string>{"describe", "/no/such"}, {"describe", "/no/such", "--left-out"}}) {
+  for (const auto& arguments :
+       {std::vector<std::string>{"describe", "/no/such"}, {"describe", "/no/such", "--left-out"}}) {
     const auto result = run_echoway(arguments);
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.out, "");

@@ -33,7 +33,8 @@ class Locate : public testing::Test {
   }
 
   ProcessResult locate(std::vector<std::string> more) {
-    std::vector<std::string> arguments{"locate", "--building", kLab, "--scans", prefix_ + ".scans.csv", "--track", track_};
+    std::vector<std::string> arguments{"locate",  "--building", kLab, "--scans", prefix_ + ".scans.csv",
+                                       "--track", track_};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_echoway(arguments);
   }
@@ -57,10 +58,13 @@ TEST(Cues, NobodyHearsTheSameWordsTwiceInTenSeconds) {
   const std::string room = std::string(ECHOWAY_MAPS_DIR) + "/sample-room";
   std::size_t by_the_clock = 0;
   for (const char* seed : {"2", "5", "6", "7"}) {
-    ASSERT_EQ(run_echoway({"simulate", "--building", room, "--random", "90", "--seed", seed, "--out", prefix}).status, 0);
-    ASSERT_EQ(run_echoway({"locate", "--building", room, "--scans", prefix + ".scans.csv", "--motion", prefix + ".motion.csv",
-                           "--to", "exit", "--directions", "clock", "--track", prefix + ".track.csv", "--cues", prefix + ".cues.csv"})
-                  .status, 0);
+    ASSERT_EQ(run_echoway({"simulate", "--building", room, "--random", "90", "--seed", seed, "--out", prefix}).status,
+              0);
+    ASSERT_EQ(run_echoway({"locate", "--building", room, "--scans", prefix + ".scans.csv", "--motion",
+                           prefix + ".motion.csv", "--to", "exit", "--directions", "clock", "--track",
+                           prefix + ".track.csv", "--cues", prefix + ".cues.csv"})
+                  .status,
+              0);
     std::istringstream rows(test::read_file(prefix + ".cues.csv"));
     std::string row;
     std::getline(rows, row);
@@ -93,7 +97,8 @@ TEST_F(Locate, StartsAgainWhereTheWearerSaid) {
   const std::string wrong = then.room == "hall" ? "1" : "hall";
   ASSERT_EQ(locate({"--start", wrong}).status, 0);
   const auto track = read_track_log(track_);
-  const auto at = std::find_if(track->begin(), track->end(), [&](const TrackRow& r) { return r.where.time_s >= then.time_s + 0.5; });
+  const auto at = std::find_if(track->begin(), track->end(),
+                               [&](const TrackRow& r) { return r.where.time_s >= then.time_s + 0.5; });
   ASSERT_NE(at, track->end());
   EXPECT_EQ(at->where.room, then.room);
   EXPECT_LT(distance(at->where.pose.position, then.pose.position), 1.5);
@@ -108,8 +113,9 @@ TEST_F(Locate, RefusesARestartInARoomThatIsNotThere) {
   for (std::string text; std::getline(written, text) && text.find("# restart") == std::string::npos;) ++line;
   const ProcessResult result = locate({"--start", start_});
   EXPECT_EQ(result.status, 2);
-  EXPECT_EQ(result.err, prefix_ + ".scans.csv:" + std::to_string(line) +
-                            ": at 1.00 s the walk was started again in room nowhere, which the building does not have\n");
+  EXPECT_EQ(result.err,
+            prefix_ + ".scans.csv:" + std::to_string(line) +
+                ": at 1.00 s the walk was started again in room nowhere, which the building does not have\n");
 }
 
 TEST_F(Locate, GivesTheSameBytesOnEveryRun) {
@@ -154,17 +160,21 @@ TEST_F(Locate, NoOutputTakesThePlaceOfAnotherFile) {
   }
   EXPECT_EQ(test::read_file(scans), before);
   EXPECT_FALSE(std::filesystem::exists(track_));
-  EXPECT_EQ(run_echoway({"locate", "--building", kLab, "--scans", scans, "--track", "/dev/null", "--cues", "/dev/null"}).status, 0);
+  EXPECT_EQ(run_echoway({"locate", "--building", kLab, "--scans", scans, "--track", "/dev/null", "--cues", "/dev/null"})
+                .status,
+            0);
 }
 
 TEST_F(Locate, AWholeTrackGoesWhereStandardOutputGoes) {
   ASSERT_EQ(locate({"--start", start_}).status, 0);
   const auto into = folder_.path() / "into.csv";
-  const ProcessResult result = run_echoway({"locate", "--building", kLab, "--scans", prefix_ + ".scans.csv", "--start", start_,
-                                            "--track", "/dev/stdout"}, {.out = into});
+  const ProcessResult result = run_echoway(
+      {"locate", "--building", kLab, "--scans", prefix_ + ".scans.csv", "--start", start_, "--track", "/dev/stdout"},
+      {.out = into});
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(test::read_file(into), test::read_file(track_));
-  EXPECT_NE(result.err.find(" firings, "), std::string::npos) << "what was heard and done is said on standard error instead";
+  EXPECT_NE(result.err.find(" firings, "), std::string::npos)
+      << "what was heard and done is said on standard error instead";
 }
 
 TEST_F(Locate, BlanksAroundTheFieldsOfAStartMeanNothing) {
@@ -199,7 +209,8 @@ TEST_F(Locate, SaysToWhichRoomNothingLeads) {
   };
   EXPECT_EQ(to("store").status, 2);
   EXPECT_NE(to("store").err.find("--to store: nothing leads into room store"), std::string::npos) << to("store").err;
-  EXPECT_NE(to("Kitchen").err.find("--to Kitchen: nothing here is called \"Kitchen\""), std::string::npos) << to("Kitchen").err;
+  EXPECT_NE(to("Kitchen").err.find("--to Kitchen: nothing here is called \"Kitchen\""), std::string::npos)
+      << to("Kitchen").err;
 }
 
 /// A hall and a vault, 4 m square, with a slit of 0.25 m between them, and a cell that no door leads into.
@@ -214,7 +225,8 @@ class LocateBeyondASlit : public Locate {
     log_ = folder_.write("log.csv", "time_s,sensor,range_m\n0.0,0,1.5\n0.1,1,1.5\n0.2,2,1.5\n").string();
   }
   [[nodiscard]] ProcessResult to(const std::string& goal, const std::string& start) const {
-    std::vector<std::string> arguments{"locate", "--building", plan_.path().string(), "--scans", log_, "--to", goal, "--track", track_};
+    std::vector<std::string> arguments{"locate",  "--building", plan_.path().string(), "--scans", log_, "--to", goal,
+                                       "--track", track_};
     if (!start.empty()) arguments.insert(arguments.end(), {"--start", start});
     return run_echoway(arguments);
   }
@@ -227,8 +239,9 @@ TEST_F(LocateBeyondASlit, NamesTheDoorAndItsWidth) {
     for (const char* start : {"", "hall,1,2,0"}) {
       const ProcessResult result = to(goal, start);
       EXPECT_EQ(result.status, 2);
-      EXPECT_NE(result.err.find(": nothing leads into room vault: the door between rooms 'hall' and 'vault' is 0.25 m wide"),
-                std::string::npos)
+      EXPECT_NE(
+          result.err.find(": nothing leads into room vault: the door between rooms 'hall' and 'vault' is 0.25 m wide"),
+          std::string::npos)
           << result.err;
     }
   }
@@ -250,15 +263,16 @@ TEST_F(Locate, SaysAtOnceThatNoWayLeadsFromTheStart) {
   }
   const std::string log = folder_.write("log.csv", "time_s,sensor,range_m\n0.0,0,1.5\n").string();
   const auto from = [&](const std::string& start) {
-    return run_echoway({"locate", "--building", plan.path().string(), "--scans", log, "--start", start, "--to", "cell", "--track",
-                        track_});
+    return run_echoway({"locate", "--building", plan.path().string(), "--scans", log, "--start", start, "--to", "cell",
+                        "--track", track_});
   };
   for (const char* start : {"hall", "hall,1,2,0"}) {
     const ProcessResult result = from(start);
     EXPECT_EQ(result.status, 0) << "they are followed all the same";
-    EXPECT_EQ(result.err,
-              "--to cell: no safe way leads from room hall to the destination in room cell: the door between rooms 'hall' and "
-              "'vault' is 0.25 m wide, and a person needs 0.4 m\n");
+    EXPECT_EQ(
+        result.err,
+        "--to cell: no safe way leads from room hall to the destination in room cell: the door between rooms "
+        "'hall' and 'vault' is 0.25 m wide, and a person needs 0.4 m\n");
   }
   EXPECT_EQ(from("vault,1,2,0").err, "");
 }

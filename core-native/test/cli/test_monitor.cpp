@@ -36,8 +36,10 @@ std::string read_until(BackgroundEchoway& process, const std::vector<std::string
 TEST(Monitor, FollowsABeltOnAPseudoTerminalFromConnectionToLoss) {
   const TemporaryFolder folder;
   const std::string prefix = (folder.path() / "still").string();
-  ASSERT_EQ(run_echoway({"simulate", "--building", kLab, "--random", "4", "--profile", "empty", "--seed", "5", "--out", prefix})
-                .status, 0);
+  ASSERT_EQ(run_echoway(
+                {"simulate", "--building", kLab, "--random", "4", "--profile", "empty", "--seed", "5", "--out", prefix})
+                .status,
+            0);
   const std::string truth = test::read_file(prefix + ".truth.csv");
   const std::string first = truth.substr(truth.find('\n') + 1);
   const std::string start = first.substr(first.find(',') + 1, first.find('\n') - first.find(',') - 1);
@@ -50,12 +52,15 @@ TEST(Monitor, FollowsABeltOnAPseudoTerminalFromConnectionToLoss) {
   const std::string heard = read_until(monitor, {"Belt disconnected.\n", "sentences; dropped"});
   EXPECT_EQ(heard.find("Belt connected.\n"), 0U) << heard;
   EXPECT_NE(heard.find("room " + room), std::string::npos) << heard;
-  EXPECT_NE(heard.find("Belt disconnected.\n"), std::string::npos) << heard;   // At once, or when the line before is said.
+  // At once, or when the line before is said.
+  EXPECT_NE(heard.find("Belt disconnected.\n"), std::string::npos) << heard;
   const auto log = read_scan_log(prefix + ".scans.csv");
   ASSERT_TRUE(log.ok());
   // Each firing, and what the belt says of itself once a second.
-  const auto sentences = log->firings.size() + static_cast<std::size_t>(log->firings.back().time_s - log->firings.front().time_s) + 1;
-  EXPECT_NE(heard.find(std::to_string(sentences) + " sentences; dropped 0 with a bad checksum, 0 malformed; 0 firings lost\n"),
+  const auto sentences =
+      log->firings.size() + static_cast<std::size_t>(log->firings.back().time_s - log->firings.front().time_s) + 1;
+  EXPECT_NE(heard.find(std::to_string(sentences) +
+                       " sentences; dropped 0 with a bad checksum, 0 malformed; 0 firings lost\n"),
             std::string::npos)
       << heard;
 }
@@ -120,11 +125,13 @@ TEST(Play, LosesNothingToAListenerWhoIsSlow) {
 
 TEST(Monitor, RefusesABeltOfAnotherNumberOfSensorsThanIsThought) {
   const TemporaryFolder folder;
-  const std::string log = folder.write("log.csv", "# sensors 4\ntime_s,sensor,range_m\n0,0,1.5\n0.1,1,1.5\n0.2,2,1.5\n").string();
+  const std::string log =
+      folder.write("log.csv", "# sensors 4\ntime_s,sensor,range_m\n0,0,1.5\n0.1,1,1.5\n0.2,2,1.5\n").string();
   BackgroundEchoway belt({"play", "--scans", log});
   const auto refused = run_echoway({"monitor", "--building", kLab, "--port", belt.read_line()});
   EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("the belt says that it has 4 sensors, not 15; give --sensors 4"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("the belt says that it has 4 sensors, not 15; give --sensors 4"), std::string::npos)
+      << refused.err;
 
   BackgroundEchoway again({"play", "--scans", log});
   BackgroundEchoway followed({"monitor", "--building", kLab, "--port", again.read_line(), "--sensors", "4"});
@@ -137,7 +144,8 @@ TEST(Monitor, HearsNothingWhereALogHasAnEchoFromBeyondWhatASentenceHolds) {
   BackgroundEchoway belt({"play", "--scans", log});
   BackgroundEchoway monitor({"monitor", "--building", kLab, "--port", belt.read_line()});
   const std::string heard = read_until(monitor, {"sentences; dropped"});
-  EXPECT_NE(heard.find("4 sentences; dropped 0 with a bad checksum, 0 malformed; 0 firings lost\n"), std::string::npos) << heard;
+  EXPECT_NE(heard.find("4 sentences; dropped 0 with a bad checksum, 0 malformed; 0 firings lost\n"), std::string::npos)
+      << heard;
 }
 
 TEST(Monitor, SaysWhatIsWrongWithAPort) {

@@ -35,10 +35,13 @@ TEST(Score, MeasuresATrackAgainstTheTruth) {
 
 TEST(Score, RowsThatNameNoRoomYetAreLeftOutAndCounted) {
   const TemporaryFolder folder;
-  const std::string header = "time_s,room,x_m,y_m,heading_deg,sigma_m,room_probability,state\n0.2,,0,0,0,9,0,searching\n";
-  const auto truth = folder.write("truth.csv", "time_s,room,x_m,y_m,heading_deg\n0,4,1.0,1.0,0\n1,4,1.0,1.0,0\n").string();
+  const std::string header =
+      "time_s,room,x_m,y_m,heading_deg,sigma_m,room_probability,state\n0.2,,0,0,0,9,0,searching\n";
+  const auto truth =
+      folder.write("truth.csv", "time_s,room,x_m,y_m,heading_deg\n0,4,1.0,1.0,0\n1,4,1.0,1.0,0\n").string();
   const auto score = [&](const std::string& track) {
-    return run_echoway({"score", "--building", kLab, "--track", folder.write("track.csv", track).string(), "--truth", truth});
+    return run_echoway(
+        {"score", "--building", kLab, "--track", folder.write("track.csv", track).string(), "--truth", truth});
   };
   const auto result = score(header + "0.5,4,1.1,1.0,0,0.2,1,tracking\n");
   ASSERT_EQ(result.status, 0) << result.err;
@@ -68,15 +71,20 @@ TEST(Score, SaysOfATrackThatItIsEmpty) {
 TEST(Score, SaysInWhichLineIsARoomThatTheBuildingDoesNotHave) {
   const TemporaryFolder folder;
   const auto error = [&](const std::string& track_room, const std::string& truth_room) {
-    const auto truth = folder.write("truth.csv", "time_s,room,x_m,y_m,heading_deg\n0,4,1,1,0\n9," + truth_room + ",1,1,0\n");
-    const auto track = folder.write("track.csv", "# mine\ntime_s,room,x_m,y_m,heading_deg,sigma_m,room_probability,state\n5," +
-                                                     track_room + ",1,1,0,0.2,1,tracking\n");
-    const auto result = run_echoway({"score", "--building", kLab, "--track", track.string(), "--truth", truth.string()});
+    const auto truth =
+        folder.write("truth.csv", "time_s,room,x_m,y_m,heading_deg\n0,4,1,1,0\n9," + truth_room + ",1,1,0\n");
+    const auto track =
+        folder.write("track.csv", "# mine\ntime_s,room,x_m,y_m,heading_deg,sigma_m,room_probability,state\n5," +
+                                      track_room + ",1,1,0,0.2,1,tracking\n");
+    const auto result =
+        run_echoway({"score", "--building", kLab, "--track", track.string(), "--truth", truth.string()});
     EXPECT_EQ(result.status, 2);
     return result.err;
   };
-  EXPECT_NE(error("4", "cellar").find("truth.csv:3: the truth names room 'cellar'"), std::string::npos) << error("4", "cellar");
-  EXPECT_NE(error("attic", "4").find("track.csv:3: the track names room 'attic'"), std::string::npos) << error("attic", "4");
+  EXPECT_NE(error("4", "cellar").find("truth.csv:3: the truth names room 'cellar'"), std::string::npos)
+      << error("4", "cellar");
+  EXPECT_NE(error("attic", "4").find("track.csv:3: the track names room 'attic'"), std::string::npos)
+      << error("attic", "4");
 }
 
 }  // namespace

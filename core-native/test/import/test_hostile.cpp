@@ -94,7 +94,8 @@ TEST_F(HostilePlan, AFeatureOnTheOtherSideOfTheEarthIsLeftOut) {
   const std::string square = R"({"type": "Feature", "properties": {"id": 1, "type": "building_outline"}, "geometry":
     {"type": "Polygon", "coordinates": [[[8.0, 47.0], [8.001, 47.0], [8.001, 47.001], [8.0, 47.001]]]}},)";
   const std::string room = R"({"type": "Feature", "properties": {"id": 2, "type": "unit", "name": "Only"}, "geometry":
-    {"type": "Polygon", "coordinates": [[[8.0001, 47.0001], [8.0009, 47.0001], [8.0009, 47.0009], [8.0001, 47.0009]]]}},)";
+    {"type": "Polygon", "coordinates": [[[8.0001, 47.0001], [8.0009, 47.0001], [8.0009, 47.0009], [8.0001, 47.0009]]]}
+    },)";
   Report report;
   const auto imported = import_building(SourceFormat::wrld, wrld(square + room + wall("[0,0],[0.001,0],[0.001,0.001]")),
                                         report);
@@ -105,10 +106,12 @@ TEST_F(HostilePlan, AFeatureOnTheOtherSideOfTheEarthIsLeftOut) {
 // A table of levels with a gap in it is written in decimals by many tools.
 TEST_F(HostilePlan, AWholeNumberMayBeWrittenAsADecimal) {
   const std::string room = R"({"type": "Feature", "properties": {"id": 2, "type": "unit", "name": "Only"}, "geometry":
-    {"type": "Polygon", "coordinates": [[[8.0001, 47.0001], [8.0002, 47.0001], [8.0002, 47.0002], [8.0001, 47.0002]]]}})";
+    {"type": "Polygon", "coordinates": [[[8.0001, 47.0001], [8.0002, 47.0001], [8.0002, 47.0002], [8.0001, 47.0002]]]}
+    })";
   const auto import_level = [&](const std::string& number) {
     wrld(room);
-    write("main.json", R"({"name": "X", "levels": [{"name": "G", "z_order": )" + number + R"(, "filename": "g.geojson"}]})");
+    write("main.json",
+          R"({"name": "X", "levels": [{"name": "G", "z_order": )" + number + R"(, "filename": "g.geojson"}]})");
     Report report;
     return import_building(SourceFormat::wrld, folder_, report);
   };
@@ -122,7 +125,8 @@ TEST_F(HostilePlan, NothingThatEnclosesIsNoBuilding) {
   EXPECT_THAT(refusal(SourceFormat::wrld, wrld(wall("[8,47],[8.0001,47],[8.0001,47.00001],[8,47.00001]"))),
               HasSubstr("cannot become a building"));
   EXPECT_THAT(refusal(SourceFormat::wrld, wrld("")), HasSubstr("no feature with coordinates"));
-  EXPECT_THAT(refusal(SourceFormat::osm, write("empty.osm", "<osm version='0.6'/>")), HasSubstr("Simple Indoor Tagging"));
+  EXPECT_THAT(refusal(SourceFormat::osm, write("empty.osm", "<osm version='0.6'/>")),
+              HasSubstr("Simple Indoor Tagging"));
   EXPECT_THAT(refusal(SourceFormat::imdf, folder_ / "absent"), HasSubstr("absent: no such folder"));
 }
 

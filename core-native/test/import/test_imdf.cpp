@@ -57,8 +57,9 @@ TEST(Imdf, StairsAndElevatorsJoinLevels) {
 TEST(Imdf, WaysOutAndPlacesHaveTheirNames) {
   const ImportedPlan plan = city_library();
   EXPECT_THAT(plan.exit_names(), UnorderedElementsAre("Main entrance", ""));
-  for (const char* place : {"Foyer", "Reading Room", "Office 0.12", "Toilet", "Stairs, Ground floor", "Stairs, First floor", "Café Lumière", "Book Corner",
-                            "Information desk", "Cash machine", "Studio"}) {
+  for (const char* place :
+       {"Foyer", "Reading Room", "Office 0.12", "Toilet", "Stairs, Ground floor", "Stairs, First floor", "Café Lumière",
+        "Book Corner", "Information desk", "Cash machine", "Studio"}) {
     EXPECT_THAT(plan.place_names(), Contains(place));
   }
   EXPECT_THAT(plan.place_names(), Not(Contains("Lost")));

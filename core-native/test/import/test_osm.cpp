@@ -96,7 +96,8 @@ class DrawnPlan {
   long node(Vec2 at, const std::string& tags = {}) {
     char place[120];
     // Degrees near 0 are the same length both ways.
-    std::snprintf(place, sizeof place, "<node id='%ld' lat='%.9f' lon='%.9f'>", --id_, at.y / 110574.3, at.x / 111319.5);
+    std::snprintf(place, sizeof place, "<node id='%ld' lat='%.9f' lon='%.9f'>", --id_, at.y / 110574.3,
+                  at.x / 111319.5);
     text_ += place + tags + "</node>\n";
     return id_;
   }
@@ -132,10 +133,12 @@ class DrawnPlan {
   }
 
   [[nodiscard]] ImportedPlan import(const std::string& encoding = "UTF-8") const {
-    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) /
-                                       (std::string("drawn-") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::ofstream(file, std::ios::binary) << "<?xml version='1.0' encoding='" << encoding << "'?>\n<osm version='0.6'>\n"
-                                          << text_ << "</osm>\n";
+    const std::filesystem::path file =
+        std::filesystem::path(testing::TempDir()) /
+        (std::string("drawn-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::ofstream(file, std::ios::binary)
+        << "<?xml version='1.0' encoding='" << encoding << "'?>\n<osm version='0.6'>\n"
+        << text_ << "</osm>\n";
     ImportedPlan plan = import_plan(SourceFormat::osm, file);
     std::filesystem::remove(file);
     return plan;
@@ -149,9 +152,9 @@ class DrawnPlan {
 
 std::size_t doors_of(const ImportedPlan& plan, const std::string& room) {
   const RoomIndex i = plan.building.find_room(room);
-  return static_cast<std::size_t>(std::count_if(plan.building.doors.begin(), plan.building.doors.end(), [&](const Door& door) {
-    return door.room_a == i || door.room_b == i;
-  }));
+  return static_cast<std::size_t>(
+      std::count_if(plan.building.doors.begin(), plan.building.doors.end(),
+                    [&](const Door& door) { return door.room_a == i || door.room_b == i; }));
 }
 
 TEST(Osm, IsReadInTheEncodingThatItNames) {
@@ -176,8 +179,9 @@ TEST(Osm, ARoomOfTwoOutlinesIsThereTwice) {
   const long west = drawn.way(drawn.ring({{0, 5}, {4, 5}, {4, 9}, {0, 9}}), "");
   const long east = drawn.way(drawn.ring({{8, 5}, {12, 5}, {12, 9}, {8, 9}}), "");
   const long column = drawn.way(drawn.ring({{9.5, 6.5}, {10.5, 6.5}, {10.5, 7.5}, {9.5, 7.5}}), "");
-  drawn.relation(DrawnPlan::member(west, "outer") + DrawnPlan::member(east, "outer") + DrawnPlan::member(column, "inner"),
-                 DrawnPlan::tag("type", "multipolygon") + DrawnPlan::room_tags("Twin"));
+  drawn.relation(
+      DrawnPlan::member(west, "outer") + DrawnPlan::member(east, "outer") + DrawnPlan::member(column, "inner"),
+      DrawnPlan::tag("type", "multipolygon") + DrawnPlan::room_tags("Twin"));
   drawn.door({2, 5});
   drawn.door({10, 5});
   const ImportedPlan plan = drawn.import();
@@ -239,8 +243,8 @@ TEST(Osm, ADoorWhoseWidthIsNoneIsThereWithTheUsualOne) {
   }
 }
 
-// At a corner of the wall as drawn, and in the middle of one of its pieces, where the door is wider than the piece: beside
-// it, the wall has already turned away.
+// At a corner of the wall as drawn, and in the middle of one of its pieces, where the door is wider than the piece:
+// beside it, the wall has already turned away.
 TEST(Osm, ADoorInARoundWallIsFound) {
   constexpr int kPieces = 120;
   constexpr double kPiece = 360.0 / kPieces;

@@ -9,11 +9,12 @@
 namespace echoway::import {
 namespace {
 
-// Length of the geodesic between two points by Vincenty's inverse formula (T. Vincenty, "Direct and inverse solutions of
-// geodesics on the ellipsoid", Survey Review 23, 1975): no formula in common with the tangent plane.
+// Length of the geodesic between two points by Vincenty's inverse formula (T. Vincenty, "Direct and inverse solutions
+// of geodesics on the ellipsoid", Survey Review 23, 1975): no formula in common with the tangent plane.
 double vincenty(LonLat p, LonLat q) {
   constexpr double a = 6378137.0, f = 1.0 / 298.257223563, b = a * (1.0 - f);
-  const double u1 = std::atan((1.0 - f) * std::tan(degrees(p.lat))), u2 = std::atan((1.0 - f) * std::tan(degrees(q.lat)));
+  const double u1 = std::atan((1.0 - f) * std::tan(degrees(p.lat))),
+               u2 = std::atan((1.0 - f) * std::tan(degrees(q.lat)));
   const double l = degrees(std::remainder(q.lon - p.lon, 360.0));
   const double su1 = std::sin(u1), cu1 = std::cos(u1), su2 = std::sin(u2), cu2 = std::cos(u2);
   double lambda = l, sigma = 0.0, sin_sigma = 0.0, cos_sigma = 1.0, cos2_alpha = 0.0, cos_2m = 0.0;
@@ -42,8 +43,8 @@ double vincenty(LonLat p, LonLat q) {
   return b * aa * (sigma - d);
 }
 
-// The formula above is right: a quarter of the meridian of WGS 84 is 10 001 965.729 m, and along the equator a degree is
-// a pi / 180.
+// The formula above is right: a quarter of the meridian of WGS 84 is 10 001 965.729 m, and along the equator a degree
+// is a pi / 180.
 TEST(Projection, TheIndependentFormulaKnowsTheEllipsoid) {
   EXPECT_NEAR(vincenty({0.0, 0.0}, {0.0, 90.0}), 10001965.729, 0.001);
   EXPECT_NEAR(vincenty({10.0, 0.0}, {11.0, 0.0}), 6378137.0 * kPi / 180.0, 0.001);

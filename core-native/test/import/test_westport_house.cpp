@@ -95,8 +95,8 @@ TEST(WestportHouse, HasSevenLevelsOfSoundRooms) {
   expect_sound(westport());
 }
 
-// From the street everybody gets to every level and almost every room; only shops with a street door of their own and no
-// door to the rest of the building stand apart.
+// From the street everybody gets to every level and almost every room; only shops with a street door of their own and
+// no door to the rest of the building stand apart.
 TEST(WestportHouse, EveryRoomIsReachedFromAWayOut) {
   const Building& building = westport();
   std::vector<std::set<RoomIndex>> next(building.rooms.size());
@@ -137,9 +137,11 @@ TEST(WestportHouse, AScanCanBeSimulatedOnEveryLevel) {
   for (const Landmark& place : westport().places) {
     const Room& room = westport().room(place.room);
     if (!tried.insert(room.level).second) continue;
-    const auto scan = sim::scan_at(westport(), sim::make_world(sim::Profile::furnished), {}, {{0.0, room.id, {place.at, 0.0}}}, 1);
+    const auto scan =
+        sim::scan_at(westport(), sim::make_world(sim::Profile::furnished), {}, {{0.0, room.id, {place.at, 0.0}}}, 1);
     ASSERT_TRUE(scan) << scan.error().to_string();
-    const auto echoes = std::count_if(scan->firings.begin(), scan->firings.end(), [](const Firing& f) { return f.has_echo(); });
+    const auto echoes =
+        std::count_if(scan->firings.begin(), scan->firings.end(), [](const Firing& f) { return f.has_echo(); });
     if (echoes > 0) heard.insert(room.level);
   }
   EXPECT_EQ(heard, (std::set<int>{0, 1, 2, 3, 4, 5, 6}));
@@ -186,7 +188,9 @@ Followed follow_three_levels() {
   std::size_t right = 0;
   auto hint = run->motion.begin();
   for (std::size_t i = 0; i < run->scans.firings.size(); ++i) {
-    for (; hint != run->motion.end() && hint->time_s <= run->scans.firings[i].time_s; ++hint) (*session)->on_motion(*hint);
+    for (; hint != run->motion.end() && hint->time_s <= run->scans.firings[i].time_s; ++hint) {
+      (*session)->on_motion(*hint);
+    }
     (void)(*session)->on_firing(run->scans.firings[i]);
     const Estimate& e = (*session)->estimate();
     if (e.room == kNoRoom) continue;
@@ -206,7 +210,7 @@ TEST(WestportHouse, TheTrackerFollowsTheWalkOverThreeLevels) {
   const Followed followed = follow_three_levels();
   EXPECT_EQ(followed.highest, 2);
   constexpr double kMeanError = 1.0;  // Metres. The stairwells and their neighbours are alike on every level ...
-  constexpr double kRightRoom = 0.7;  // ... so the right one is known only once the wearer comes to something that differs.
+  constexpr double kRightRoom = 0.7;  // ... so the right one is known once the wearer comes to something that differs.
   EXPECT_EQ(followed.last_room, "2-wrld-office");
   EXPECT_LT(followed.mean_error_m, kMeanError);
   EXPECT_GT(followed.right_room, kRightRoom);

@@ -106,7 +106,8 @@ TEST(AtomicFile, WritesOnIntoWhatIsOpenAlready) {
   ::close(open);
   EXPECT_EQ(test::read_file(path),
             "before\n/dev/fd/" + number + "\n/proc/self/fd/" + number + "\n" + link.string() + "\nafter\n");
-  EXPECT_THAT(write_file("/dev/fd/" + number, "x").error().to_string(), HasSubstr("/dev/fd/" + number + ": cannot be written: "));
+  EXPECT_THAT(write_file("/dev/fd/" + number, "x").error().to_string(),
+              HasSubstr("/dev/fd/" + number + ": cannot be written: "));
 }
 
 TEST(AtomicFile, KnowsTheNamesOfOpenFiles) {

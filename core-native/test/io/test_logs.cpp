@@ -127,7 +127,8 @@ TEST_F(Logs, ALastRowWithoutItsEndIsAnErrorWhereNoCutExplainsIt) {
     ASSERT_TRUE(log.ok()) << cut << ": " << log.error().to_string();
     EXPECT_EQ(log->firings.size(), 1U) << cut;
   }
-  for (const char* wrong : {"0.1,1,nan", "0.1,1,inf", "0.1,one,1.5", "0.1,99,1.5", "-1,1,1.5", "0.1,1,-1.5", "0.1,1,1,1"}) {
+  for (const char* wrong :
+       {"0.1,1,nan", "0.1,1,inf", "0.1,one,1.5", "0.1,99,1.5", "-1,1,1.5", "0.1,1,-1.5", "0.1,1,1,1"}) {
     EXPECT_THAT(scan_error(begun + wrong), HasSubstr("f.csv:3: ")) << wrong;
   }
   const std::string track = "time_s,room,x_m,y_m,heading_deg,sigma_m,room_probability,state\n0,a,1,2,3,0.1,1,";
@@ -168,7 +169,8 @@ TEST_F(Logs, ScansSayWhereTheWearerStartedAgain) {
 
 TEST_F(Logs, ScansSayWhichRestartMakesNoSense) {
   const auto error = [&](std::string_view restart) {
-    return scan_error("time_s,sensor,range_m\n0,1,2\n# restart 3 a 1 1 0\n# restart " + std::string(restart) + "\n1,1,2\n");
+    return scan_error("time_s,sensor,range_m\n0,1,2\n# restart 3 a 1 1 0\n# restart " + std::string(restart) +
+                      "\n1,1,2\n");
   };
   EXPECT_THAT(error("now hall 1 2 3"), HasSubstr("f.csv:4: 'now' is no sensible number"));
   EXPECT_THAT(error("4 hall 1e300 2 3"), HasSubstr("'1e300' is no sensible number"));

@@ -254,7 +254,9 @@ TEST(Router, LeadsOutOfAGapThatJustLetsAWalkerThroughFromAnywhereInIt) {
   b.rooms[0].reflectors.push_back({{0.5, 2.5}, {1.5, 2.5}});
   const Router router(b);
   for (double x = 0.02; x < 0.5; x += 0.02) {
-    for (double y = 2.21; y < 2.8; y += 0.02) EXPECT_TRUE(router.find_route({0, {x, y}}, spot(0, {4, 1}))) << x << ' ' << y;
+    for (double y = 2.21; y < 2.8; y += 0.02) {
+      EXPECT_TRUE(router.find_route({0, {x, y}}, spot(0, {4, 1}))) << x << ' ' << y;
+    }
   }
 }
 
@@ -384,7 +386,8 @@ TEST(Router, LeadsThroughNoDoorThatNobodyPasses) {
   ASSERT_TRUE(tree);
   const Status goal = closed.check_goal(*tree, 0);
   ASSERT_FALSE(goal);
-  EXPECT_THAT(goal.error().message, HasSubstr("nothing leads into room 2: the door between rooms '1' and '2' is 0.25 m wide"));
+  EXPECT_THAT(goal.error().message,
+              HasSubstr("nothing leads into room 2: the door between rooms '1' and '2' is 0.25 m wide"));
   EXPECT_FALSE(closed.find_route({0, {3, 1}}, spot(1, {1, 1})));
 }
 
@@ -400,11 +403,14 @@ TEST(Router, SaysWhatIsBetweenRoomsThatNoWayJoins) {
     return way ? std::string() : way.error().message;
   };
   for (const std::optional<Vec2> at : {std::optional<Vec2>(), std::optional<Vec2>({1, 1})}) {
-    EXPECT_THAT(why(at), HasSubstr("from room 0 to the destination in room 3: the door between rooms '1' and '2' is 0.3 m wide"));
+    EXPECT_THAT(
+        why(at),
+        HasSubstr("from room 0 to the destination in room 3: the door between rooms '1' and '2' is 0.3 m wide"));
   }
   b.doors[1].width = 0.9;
   EXPECT_EQ(why(Vec2{1, 1}), "");
-  // Shelves across the room leave a gap of 0.3 m. In which half somebody stands who says no more than the room is not known.
+  // Shelves across the room leave a gap of 0.3 m. In which half somebody stands who says no more than the room is not
+  // known.
   b.rooms[0].reflectors = {{{3, 0}, {3, 2.4}}, {{3, 2.7}, {3, 5}}};
   EXPECT_THAT(why(Vec2{1, 1}), HasSubstr("what is free on the way is narrower than 0.5 m"));
   EXPECT_EQ(why(std::nullopt), "");
@@ -438,8 +444,8 @@ TEST(Router, RetracesCrumbsWithoutTheirLoops) {
   const Router router(b);
   std::vector<Spot> crumbs;
   // Out of room 0, a loop through rooms 1, 4, 3 back to 0, then on to 1.
-  for (const Spot s : {Spot{0, {1, 1}}, Spot{0, {2.5, 2.5}}, Spot{1, {2.5, 2.5}}, Spot{4, {2.5, 2.5}}, Spot{3, {2.5, 2.5}},
-                       Spot{0, {2.5, 2.6}}, Spot{1, {2.5, 2.4}}}) {
+  for (const Spot s : {Spot{0, {1, 1}}, Spot{0, {2.5, 2.5}}, Spot{1, {2.5, 2.5}}, Spot{4, {2.5, 2.5}},
+                       Spot{3, {2.5, 2.5}}, Spot{0, {2.5, 2.6}}, Spot{1, {2.5, 2.4}}}) {
     crumbs.push_back(s);
   }
   const auto back = router.retrace({1, {4, 4}}, crumbs);

@@ -43,8 +43,8 @@ void expect_same(const ExpectedEchoes& some, const ExpectedEchoes& all) {
   }
 }
 
-// Compares firings from random places in every `stride`-th cell of the building's rooms with the whole room. Returns how many
-// echoes were compared.
+// Compares firings from random places in every `stride`-th cell of the building's rooms with the whole room. Returns
+// how many echoes were compared.
 int compare_cells(const Building& building, std::size_t stride, int firings_per_cell) {
   const BeltConfig belt;
   const tracker::EchoModel model(belt, {});
@@ -63,15 +63,17 @@ int compare_cells(const Building& building, std::size_t stride, int firings_per_
       for (int i = 0; i < firings_per_cell; ++i) {
         tracker::Particle p;
         p.room = static_cast<RoomIndex>(r);
-        p.position = room.grid_origin + room.cell_size * Vec2{column + random.uniform(0.0, 1.0), row + random.uniform(0.0, 1.0)};
+        p.position =
+            room.grid_origin + room.cell_size * Vec2{column + random.uniform(0.0, 1.0), row + random.uniform(0.0, 1.0)};
         p.heading = random.uniform(-kPi, kPi);
         const auto facing = tracker::fast_sincos(p.heading);
         p.facing = {facing.cos, facing.sin};
         tracker::Shot shot;
         shot.coarse = i % 3 == 0;
         const ExpectedEchoes some = tracker::expect(p, shot, model, compiled);
-        SCOPED_TRACE(::testing::Message() << "room " << building.rooms[r].id << " at " << p.position.x << ", " << p.position.y
-                                          << " heading " << p.heading << (shot.coarse ? " coarse" : ""));
+        SCOPED_TRACE(::testing::Message()
+                     << "room " << building.rooms[r].id << " at " << p.position.x << ", " << p.position.y << " heading "
+                     << p.heading << (shot.coarse ? " coarse" : ""));
         expect_same(some, whole.expect(p, shot, model));
         if (::testing::Test::HasFatalFailure()) return compared;
         compared += some.count;
@@ -129,7 +131,9 @@ TEST(Cell, OfARoomWithMoreInTheWayThanItCanListGivesTheEchoesOfTheWholeRoom) {
   building.rooms.push_back(room);
   scene::Scene compiled(building, tracker::EchoModel(BeltConfig{}, {}).sight_limits());
   const scene::Cell& cell = compiled.cell_at(0, {2.0, 2.0});
-  const auto tests_all = [&](const scene::Cell::Entry& e) { return e.occluder_count == compiled.room(0).occluders.size(); };
+  const auto tests_all = [&](const scene::Cell::Entry& e) {
+    return e.occluder_count == compiled.room(0).occluders.size();
+  };
   ASSERT_TRUE(std::ranges::any_of(cell.entries, tests_all)) << cell.entries.size() << " " << cell.occluders.size();
   EXPECT_GT(compare_cells(building, 5, 10), 1000);
 }
@@ -145,7 +149,8 @@ TEST(Cell, BesideTheEndOfAWallStillHearsIt) {
   p.position = {4.72, 4.0};
   p.heading = 0.5 * kPi;
   p.facing = {0.0, 1.0};
-  ASSERT_GT(compiled.room(0).grid_origin.x + 10 * compiled.room(0).cell_size, 4.69) << "The cell must lie beyond the end.";
+  ASSERT_GT(compiled.room(0).grid_origin.x + 10 * compiled.room(0).cell_size, 4.69)
+      << "The cell must lie beyond the end.";
   const ExpectedEchoes echoes = tracker::expect(p, {}, model, compiled);
   ASSERT_GT(echoes.count, 0);
   EXPECT_DOUBLE_EQ(echoes.echo[0].range, 4.0);
@@ -156,7 +161,8 @@ bool hears(const Building& building, const tracker::Particle& p, double range) {
   scene::Scene compiled(building, model.sight_limits());
   const ExpectedEchoes echoes = tracker::expect(p, {}, model, compiled);
   const auto end = echoes.echo.begin() + echoes.count;
-  return std::any_of(echoes.echo.begin(), end, [&](const tracker::ExpectedEcho& e) { return std::abs(e.range - range) < 1e-6; });
+  return std::any_of(echoes.echo.begin(), end,
+                     [&](const tracker::ExpectedEcho& e) { return std::abs(e.range - range) < 1e-6; });
 }
 
 TEST(Cell, KnowsWhatStandsOnTheWayFromAMirrorEvenBesideWhereAllWaysLead) {

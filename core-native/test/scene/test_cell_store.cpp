@@ -16,7 +16,8 @@ struct Sample {
   std::vector<std::uint16_t> items;
   std::vector<std::uint16_t> occluders;
 
-  Sample(std::uint16_t number, std::size_t sizes) : entries(sizes, {number, number, number}), items(5 * sizes, number), occluders(4 * sizes, number) {}
+  Sample(std::uint16_t number, std::size_t sizes)
+      : entries(sizes, {number, number, number}), items(5 * sizes, number), occluders(4 * sizes, number) {}
 
   [[nodiscard]] Cell cell() const {
     Cell c;
@@ -30,7 +31,8 @@ struct Sample {
     const auto same = [](const Cell::Entry& a, const Cell::Entry& b) {
       return a.reflector == b.reflector && a.occluder_begin == b.occluder_begin && a.occluder_count == b.occluder_count;
     };
-    return std::ranges::equal(c.entries, entries, same) && std::ranges::equal(c.items, items) && std::ranges::equal(c.occluders, occluders);
+    return std::ranges::equal(c.entries, entries, same) && std::ranges::equal(c.items, items) &&
+           std::ranges::equal(c.occluders, occluders);
   }
 };
 

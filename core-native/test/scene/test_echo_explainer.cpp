@@ -24,7 +24,8 @@ Building hall() {
 
 class EchoExplainerTest : public ::testing::Test {
  protected:
-  /// What explains `range` on a sensor that looks along `direction_deg` from the belt of a wearer whose axis is at `at`.
+  /// What explains `range` on a sensor that looks along `direction_deg` from the belt of a wearer whose axis is at
+  /// `at`.
   ExplainedEcho explain(Vec2 at, double direction_deg, double range, double sigma = 0.05) const {
     Estimate e;
     e.room = 0;

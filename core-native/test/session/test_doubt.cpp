@@ -1,5 +1,5 @@
-// What the guide doubts reaches the locator: a wearer said where they stand, and meant the other one of two places that look
-// the same. Led from there they get nowhere.
+// What the guide doubts reaches the locator: a wearer said where they stand, and meant the other one of two places that
+// look the same. Led from there they get nowhere.
 #include <gtest/gtest.h>
 
 #include <optional>

@@ -55,7 +55,8 @@ TEST(Session, RefusesAStartFarOutsideItsRoomByEitherMethodAndSaysWhereTheRoomIs)
     const auto session = open_sample({.method = method, .start = beside});
     const auto refused = Session::open(kSampleRoom, {.method = method, .start = far});
     ASSERT_FALSE(refused.ok());
-    EXPECT_NE(refused.error().message.find("the start (-1.1, 1) lies 1.1 m outside room sample, whose floor is between (0, 0) and ("),
+    EXPECT_NE(refused.error().message.find(
+                  "the start (-1.1, 1) lies 1.1 m outside room sample, whose floor is between (0, 0) and ("),
               std::string::npos)
         << refused.error().message;
     EXPECT_EQ(session->restart(far).error().message, refused.error().message);
@@ -90,7 +91,9 @@ TEST(Session, BytesBecomeFiringsAndHealth) {
 TEST(Session, DamagedBytesAreCountedAndTheBeltsSilenceIsNoticed) {
   const auto session = open_sample();
   std::string bytes;
-  for (std::uint16_t i = 0; i < 20; ++i) bytes += encode(EchoSentence{i, static_cast<std::uint8_t>(i % 15), 9'000U}).text();
+  for (std::uint16_t i = 0; i < 20; ++i) {
+    bytes += encode(EchoSentence{i, static_cast<std::uint8_t>(i % 15), 9'000U}).text();
+  }
   bytes[30] ^= 1;
   EXPECT_EQ(session->on_bytes(as_bytes(bytes), 1.0), 19);
   EXPECT_EQ(session->belt_health().bad_checksums + session->belt_health().malformed, 1U);
@@ -106,7 +109,9 @@ TEST(Session, TheAirsTemperatureIsWorthWhatTheBeltsThermometerSays) {
   const auto neither = open_sample({.start = start});
   hears->on_bytes(as_bytes(encode(StatusSentence{.temperature_dc = 350}).text()), 0.0);
   for (int i = 0; i < 90; ++i) {
-    for (Session* session : {told.get(), hears.get(), neither.get()}) session->on_firing({kSlot * i, i % 15, 1.5 + 0.1 * (i % 7)});
+    for (Session* session : {told.get(), hears.get(), neither.get()}) {
+      session->on_firing({kSlot * i, i % 15, 1.5 + 0.1 * (i % 7)});
+    }
   }
   EXPECT_EQ(told->estimate().pose.position.x, hears->estimate().pose.position.x);
   EXPECT_NE(told->estimate().pose.position.x, neither->estimate().pose.position.x);

@@ -87,7 +87,8 @@ TEST(WalkFile, SaysWhereAndWhatIsWrong) {
 }
 
 TEST(WalkFile, RefusesWhatIsAboutTheWholeWalkOnceItHasStarted) {
-  for (const std::string line : {"building ..", "seed 7", "units ft", "profile hard", "world dropout 0.1", "belt sensors 12"}) {
+  for (const std::string line :
+       {"building ..", "seed 7", "units ft", "profile hard", "world dropout 0.1", "belt sensors 12"}) {
     const std::string keyword = line.substr(0, line.find(' '));
     EXPECT_EQ(error_of("start 1 2 3 0\n" + line + "\n"),
               "round.walk:2: `" + keyword + "` is about the whole walk; put it before `start`");
@@ -164,7 +165,8 @@ TEST(WalkFile, AFileMayComeFromAnySystemButMustBeText) {
   const test::TempDir folder;
   const auto read = [&](const std::string& text) { return read_walk(folder.write("w.walk", text)); };
   EXPECT_TRUE(read("\xEF\xBB\xBFunits ft\r\nstart 1 6 5 90\r\npause 1").ok());
-  EXPECT_THAT(read(std::string("start 1 6 5 9\0\n", 15)).error().to_string(), testing::HasSubstr("w.walk:1: holds control"));
+  EXPECT_THAT(read(std::string("start 1 6 5 9\0\n", 15)).error().to_string(),
+              testing::HasSubstr("w.walk:1: holds control"));
 }
 
 TEST(WalkFile, EveryWalkThatComesWithAMapCanBeWalked) {

@@ -64,7 +64,8 @@ TEST_F(SpeakerTest, SaysTheReferenceLines) {
   EXPECT_EQ(say(at(CueKind::door, -90, feet(6))), "Door right, six feet.");
   EXPECT_EQ(say(at(CueKind::turn, 90)), "Turn left.");
   EXPECT_EQ(say(at(CueKind::go_straight, 0, feet(20))), "Go straight, twenty feet.");
-  EXPECT_EQ(say(with_landmark(at(CueKind::arrived, -80), CueLandmark::Kind::place, 0)), "Arrived: Lectern, on your right.");
+  EXPECT_EQ(say(with_landmark(at(CueKind::arrived, -80), CueLandmark::Kind::place, 0)),
+            "Arrived: Lectern, on your right.");
   Cue stairs = at(CueKind::stairs, 5, feet(5));
   stairs.up = true;
   stairs.count = 8;
@@ -176,7 +177,8 @@ TEST_F(SpeakerTest, NamesLevelsAndUnnamedThings) {
   Cue take = with_landmark(make_cue(CueKind::take_link), CueLandmark::Kind::link, 1);
   take.up = true;
   EXPECT_EQ(say(take), "Take the elevator up to level two.");
-  EXPECT_EQ(say(with_landmark(at(CueKind::arrived, 0), CueLandmark::Kind::exit, 0)), "Arrived: the exit, ahead of you.");
+  EXPECT_EQ(say(with_landmark(at(CueKind::arrived, 0), CueLandmark::Kind::exit, 0)),
+            "Arrived: the exit, ahead of you.");
   EXPECT_EQ(say(make_cue(CueKind::arrived)), "Arrived.");
   EXPECT_EQ(say(with_landmark(make_cue(CueKind::arrived), CueLandmark::Kind::place, 99)), "Arrived: your destination.");
 }

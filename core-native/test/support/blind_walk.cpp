@@ -161,8 +161,11 @@ class Wearer {
     if (!taken_in) return;
     const double delay = line_seconds(cue) + reaction_;
     if (cue.kind == CueKind::rerouted || cue.kind == CueKind::wrong_way || cue.kind == CueKind::stop) {
-      todo_.push_back({now + (cue.kind == CueKind::stop ? 0.3 + reaction_ : delay), cue.kind, 0.0, -1.0, index, cue.landmark});
-      if (cue.tail.present) todo_.push_back({now + delay, cue.tail.kind, cue.tail.direction, cue.tail.distance_m, index, {}});
+      todo_.push_back(
+          {now + (cue.kind == CueKind::stop ? 0.3 + reaction_ : delay), cue.kind, 0.0, -1.0, index, cue.landmark});
+      if (cue.tail.present) {
+        todo_.push_back({now + delay, cue.tail.kind, cue.tail.direction, cue.tail.distance_m, index, {}});
+      }
       return;
     }
     if (cue.kind == CueKind::arrived) {  // the first word says it
@@ -170,7 +173,9 @@ class Wearer {
       return;
     }
     todo_.push_back({now + delay, cue.kind, cue.direction, cue.distance_m, index, cue.landmark, cue.up});
-    if (cue.tail.present) todo_.push_back({now + delay + 0.1, cue.tail.kind, cue.tail.direction, cue.tail.distance_m, index, {}});
+    if (cue.tail.present) {
+      todo_.push_back({now + delay + 0.1, cue.tail.kind, cue.tail.direction, cue.tail.distance_m, index, {}});
+    }
   }
 
   void live(double now) {

@@ -19,7 +19,7 @@ struct WearerModel {
   double turn_sigma = degrees(10.0);                 ///< Error of a turn, besides 10 % of its size.
   double step_error = 0.08;                          ///< Share by which a wearer misjudges lengths.
   double veer = degrees(4.0);                        ///< Heading's random walk, per root metre (Guth & LaDuke 1994).
-  double patience = 12.0;                            ///< s of standing in silence before asking for the last line again.
+  double patience = 12.0;                            ///< s of standing in silence before asking for the last line.
   double ignore = 0.05;                              ///< Share of the cues that are not taken in.
 };
 
@@ -100,8 +100,9 @@ struct WalkOutcome {
   std::vector<TracePoint> trace;
 };
 
-/// Walks one wearer from `start` to `goal` by cues alone. Gives up after five minutes and the time that a slow walker would
-/// need five times over. The same arguments give the same walk. `shortest_m`: the shortest way by the plan unless given.
+/// Walks one wearer from `start` to `goal` by cues alone. Gives up after five minutes and the time that a slow walker
+/// would need five times over. The same arguments give the same walk. `shortest_m`: the shortest way by the plan unless
+/// given.
 WalkOutcome walk_blindfolded(const Router& router, const Spot& start, double heading, const Goal& goal,
                              PoseSource& source, const WearerModel& model, std::uint64_t seed,
                              std::optional<double> shortest_m = std::nullopt);

@@ -13,7 +13,9 @@ inline Room make_room(std::string id, std::vector<Vec2> outline, std::string nam
   Room room;
   room.id = std::move(id);
   room.name = std::move(name);
-  for (std::size_t i = 0; i < outline.size(); ++i) room.walls.push_back({outline[i], outline[(i + 1) % outline.size()]});
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    room.walls.push_back({outline[i], outline[(i + 1) % outline.size()]});
+  }
   room.boundary.push_back(std::move(outline));
   return room;
 }

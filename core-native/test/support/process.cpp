@@ -67,7 +67,8 @@ ProcessResult run_echoway(const std::vector<std::string>& arguments, const Redir
   const auto caught = [](const std::filesystem::path& elsewhere, const std::filesystem::path& file) {
     return elsewhere.empty() ? read_file(file) : std::string();
   };
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, caught(redirection.out, out_file), caught(redirection.err, err_file)};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, caught(redirection.out, out_file),
+          caught(redirection.err, err_file)};
 }
 
 BackgroundEchoway::BackgroundEchoway(const std::vector<std::string>& arguments) {

@@ -13,7 +13,8 @@
 
 namespace echoway::test {
 
-/// A room of which nothing is left out: every reflector in every direction, with everything that blocks sight in between.
+/// A room of which nothing is left out: every reflector in every direction, with everything that blocks sight in
+/// between.
 class WholeRoom {
  public:
   explicit WholeRoom(scene::RoomScene room) : room_(std::move(room)), items_(room_.reflectors.size()) {
@@ -50,7 +51,9 @@ class WholeRoom {
     cell.entries = entries_;
     cell.items = items_;
     cell.occluders = occluders_;
-    for (std::size_t s = sector + 1; s <= scene::Cell::kSectors; ++s) cell.sector_begin[s] = static_cast<std::uint32_t>(items_.size());
+    for (std::size_t s = sector + 1; s <= scene::Cell::kSectors; ++s) {
+      cell.sector_begin[s] = static_cast<std::uint32_t>(items_.size());
+    }
     return cell;
   }
 

@@ -48,8 +48,8 @@ TEST(CandidateQueue, EntersAfterTwoBetterMatches) {
 }
 
 TEST(CandidateQueue, ComparesObjectivesThemselvesWhenAsked) {
-  // A hallway with 10 m of range off by 0.3 m, an office with 4 m of range off by 0.2 m: over their ranges the hallway is
-  // better, by themselves the office.
+  // A hallway with 10 m of range off by 0.3 m, an office with 4 m of range off by 0.2 m: over their ranges the hallway
+  // is better, by themselves the office.
   Match hallway = match_of(0.03);
   hallway.objective_m = 0.3;
   Match office = match_of(0.05);

@@ -47,8 +47,8 @@ TEST(PositionEchoes, ScoresByTheObjectiveAsPrinted) {
 
 TEST(PositionEchoes, WeighsWallsTwiceAsMuchAsCorners) {
   // At (3, 2) the corner (6, 4) is at atan2(2, 3) = 33.69 degrees, 3.6056 m. Two sensors half a turn apart: heading
-  // 33.69 degrees puts both on corners; heading 0 both on walls (3 m). One wall off by 0.3 and, with the four-sensor grid
-  // of directions below, one corner off by 0.6: (2*0.3 + 1*0.6) / (2 + 1) = 0.4.
+  // 33.69 degrees puts both on corners; heading 0 both on walls (3 m). One wall off by 0.3 and, with the four-sensor
+  // grid of directions below, one corner off by 0.6: (2*0.3 + 1*0.6) / (2 + 1) = 0.4.
   BareRoom room;
   const ThesisParameters printed = ThesisParameters::as_printed();
   const PoseMatcher matcher = room.matcher();
@@ -80,8 +80,9 @@ TEST(PositionEchoes, PricesReadingsWithoutACounterpart) {
 }
 
 // Sensors 0, 4, 8, 11 of 15 look to 0, 96, 192 and 264 degrees; at heading -3 degrees to within 15 degrees of all four
-// walls of a room, each within half a beam... only of three. Readings by hand need the belt's own geometry, so the matcher's
-// mechanics are tested on its own predictions; how well it finds a wearer is tested against the simulated world.
+// walls of a room, each within half a beam... only of three. Readings by hand need the belt's own geometry, so the
+// matcher's mechanics are tested on its own predictions; how well it finds a wearer is tested against the simulated
+// world.
 Scan predicted_scan(const PoseMatcher& matcher, const Pose2& pose) {
   ScanAssembler assembler(matcher.model().belt(), {});
   const int n = matcher.model().belt().sensors;

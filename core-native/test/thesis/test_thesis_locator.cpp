@@ -166,8 +166,8 @@ TEST(ThesisLocator, SaysThatItIsLostWhenNothingAnswers) {
 }
 
 TEST(ThesisLocator, AdmitsThatAHallHidesWhereAlongItTheWearerIs) {
-  // A wide beam hears each long wall with several sensors, and nothing of the ends, which are out of range. By hand: the
-  // north wall is 1.3 m and the south wall 1.1 m off the axis, less the face's share of the 0.15 m.
+  // A wide beam hears each long wall with several sensors, and nothing of the ends, which are out of range. By hand:
+  // the north wall is 1.3 m and the south wall 1.1 m off the axis, less the face's share of the 0.15 m.
   const Building building = one_room(rooms::rectangle(60.0, 2.4));
   BeltConfig belt;
   belt.beam_rad = degrees(70.0);
@@ -218,7 +218,8 @@ TEST(ThesisLocator, StandsRandomFiringsOfAnyBelt) {
   for (const int sensors : {1, 3, 15, 64}) {
     BeltConfig belt;
     belt.sensors = sensors;
-    for (const Start& start : {Start{}, Start{0, Vec2{1.0, 1.0}, 0.3}, Start{1, {}, {}}, Start{0, Vec2{-0.9, 0.0}, 0.0}}) {
+    for (const Start& start :
+         {Start{}, Start{0, Vec2{1.0, 1.0}, 0.3}, Start{1, {}, {}}, Start{0, Vec2{-0.9, 0.0}, 0.0}}) {
       const auto walker = locator(building, start, belt);
       Random random(static_cast<std::uint64_t>(sensors));
       double time = 0.0;

@@ -60,7 +60,8 @@ TEST(FaultsPage, ListsEveryFault) {
   std::ifstream in(ECHOWAY_DOCS_DIR "/faults.md");
   const std::string page(std::istreambuf_iterator<char>(in), {});
   for (const Fault& fault : table()) {
-    EXPECT_NE(page.find("| " + fault.name + " |"), std::string::npos) << fault.name << " is missing: run make faults-page";
+    EXPECT_NE(page.find("| " + fault.name + " |"), std::string::npos)
+        << fault.name << " is missing: run make faults-page";
   }
 }
 
@@ -131,12 +132,15 @@ const LogKind kLogKinds[] = {
        const Result<ScanLog> log = read_scan_log(file);
        return log ? std::optional(log->firings.size()) : std::nullopt;
      }},
-    {"silences", "time_s,sensor,range_m\n", ",3,", [](const fs::path& file) {
+    {"silences", "time_s,sensor,range_m\n", ",3,",
+     [](const fs::path& file) {
        const Result<ScanLog> log = read_scan_log(file);
        return log ? std::optional(log->firings.size()) : std::nullopt;
      }},
-    {"motion", "time_s,kind,value\n", ",yaw_rate_dps,-2.5", [](const fs::path& file) { return size_of(read_motion_log(file)); }},
-    {"truth", "time_s,room,x_m,y_m,heading_deg\n", ",hall,1.5,2,90", [](const fs::path& file) { return size_of(read_truth_log(file)); }},
+    {"motion", "time_s,kind,value\n", ",yaw_rate_dps,-2.5",
+     [](const fs::path& file) { return size_of(read_motion_log(file)); }},
+    {"truth", "time_s,room,x_m,y_m,heading_deg\n", ",hall,1.5,2,90",
+     [](const fs::path& file) { return size_of(read_truth_log(file)); }},
     {"track", "time_s,room,x_m,y_m,heading_deg,sigma_m,room_probability,state\n", ",hall,1.5,2,90,0.1,0.99,tracking",
      [](const fs::path& file) { return size_of(read_track_log(file)); }},
 };
@@ -159,7 +163,10 @@ TEST_P(CutLog, IsReadUpToItsLastWholeRowWhereverItIsCut) {
       continue;
     }
     ASSERT_TRUE(rows) << "cut at " << cut;
-    const auto whole = cut < header.size() ? 0U : static_cast<std::size_t>(std::count(kept.begin() + static_cast<std::ptrdiff_t>(header.size()), kept.end(), '\n'));
+    const auto whole = cut < header.size()
+                           ? 0U
+                           : static_cast<std::size_t>(std::count(
+                                 kept.begin() + static_cast<std::ptrdiff_t>(header.size()), kept.end(), '\n'));
     EXPECT_GE(*rows, whole) << "cut at " << cut;
     EXPECT_LE(*rows, whole + 1) << "cut at " << cut;
   }

@@ -169,7 +169,9 @@ Report run(const Fault& fault) {
 std::string verdict(const Fault& fault, const Report& result) {
   if (!result.broken.empty()) return result.broken;
   if (result.invented > 0) return "sentences were taken that nobody sent";
-  if (!(result.error_m <= fault.allowed_error_m)) return "the estimate ends " + std::to_string(result.error_m) + " m off";
+  if (!(result.error_m <= fault.allowed_error_m)) {
+    return "the estimate ends " + std::to_string(result.error_m) + " m off";
+  }
   const auto heard = [&](std::string_view part, double within) {
     return std::any_of(result.heard.begin(), result.heard.end(), [&](const Line& line) {
       return line.words.find(part) != std::string::npos && line.after_s >= 0.0 && line.after_s <= within;
@@ -178,7 +180,8 @@ std::string verdict(const Fault& fault, const Report& result) {
   switch (fault.expect) {
     case Expect::nothing: return result.heard.empty() ? "" : "the wearer hears: " + result.heard.front().words;
     case Expect::belt_lost: return heard("disconnected", 2.0) ? "" : "the wearer does not hear that the belt is gone";
-    case Expect::sensor_blocked: return heard("blocked", 10.0) ? "" : "the wearer does not hear which sensor is blocked";
+    case Expect::sensor_blocked:
+      return heard("blocked", 10.0) ? "" : "the wearer does not hear which sensor is blocked";
     case Expect::anything: break;
   }
   return "";

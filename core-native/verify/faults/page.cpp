@@ -28,23 +28,23 @@ std::string describe_heard(const Report& result) {
 
 std::string page() {
   std::string text =
-      "# Faults\n\nWritten by `make faults-page` from the faults that the tests inject (core-native/verify/faults) into the "
-      "bytes of a simulated\nwalk of a minute through three rooms. A fault that does not last throughout begins after 15 s; "
-      "\"after\" counts from there, so\na line of a fault that lasts throughout may come before. What is heard is what belt "
-      "health and track state call for, in the\nwords of the speech tables.\n\n"
+      "# Faults\n\nWritten by `make faults-page` from the faults that the tests inject (core-native/verify/faults) "
+      "into the bytes of a simulated\nwalk of a minute through three rooms. A fault that does not last throughout "
+      "begins after 15 s; \"after\" counts from there, so\na line of a fault that lasts throughout may come before. "
+      "What is heard is what belt health and track state call for, in the\nwords of the speech tables.\n\n"
       "| fault | the wearer hears | firings lost | taken but never sent | last estimate off by | verdict |\n"
       "|---|---|---|---|---|---|\n";
   for (const Fault& fault : table()) {
     const Report result = run(fault);
     const std::string why = verdict(fault, result);
-    text += "| " + fault.name + " | " + describe_heard(result) + " | " + std::to_string(result.sent - result.taken) + " of " +
-            std::to_string(result.sent) + " | " + std::to_string(result.invented) + " | " + fixed(result.error_m, 2) + " m | " +
-            (why.empty() ? "holds" : "**fails**: " + why) + " |\n";
+    text += "| " + fault.name + " | " + describe_heard(result) + " | " + std::to_string(result.sent - result.taken) +
+            " of " + std::to_string(result.sent) + " | " + std::to_string(result.invented) + " | " +
+            fixed(result.error_m, 2) + " m | " + (why.empty() ? "holds" : "**fails**: " + why) + " |\n";
   }
   text +=
-      "\nFiles: a log is written beside its place and renamed when it is whole, so a full disk leaves nothing half-written and\n"
-      "the file that was there before stays as it was; a log that was cut at any byte is read up to its last whole row\n"
-      "(core-native/test/verify/test_faults.cpp).\n";
+      "\nFiles: a log is written beside its place and renamed when it is whole, so a full disk leaves nothing "
+      "half-written and\nthe file that was there before stays as it was; a log that was cut at any byte is read up to "
+      "its last whole row\n(core-native/test/verify/test_faults.cpp).\n";
   return text;
 }
 

@@ -131,7 +131,8 @@ void lose_each(Events& events, int n) {
 }
 
 void double_each(Events& events, int n) {
-  change_each(events, n, [](std::uint8_t byte, int, std::vector<std::uint8_t>& out) { out.insert(out.end(), 2, byte); });
+  change_each(events, n,
+              [](std::uint8_t byte, int, std::vector<std::uint8_t>& out) { out.insert(out.end(), 2, byte); });
 }
 
 void flip_each(Events& events, int n) {
@@ -147,14 +148,16 @@ const std::vector<Fault>& table() {
     for (const int n : {2, 20, 60, 100, 300, 1000}) add_bytes(t, n);
     t.push_back({"40 bytes of noise after every sentence, for 10 s", Expect::nothing, add_noise, 1.0, true});
     t.push_back({"sentences in pairs the wrong way round", Expect::anything, [](Events& e) { reverse_blocks(e, 2); }});
-    t.push_back({"sentences in eights the wrong way round", Expect::anything, [](Events& e) { reverse_blocks(e, 8); }, kAnyError});
+    t.push_back({"sentences in eights the wrong way round", Expect::anything, [](Events& e) { reverse_blocks(e, 8); },
+                 kAnyError});
     t.push_back({"the belt reboots: 2 s of silence, numbers from 0", Expect::belt_lost, reboot});
     t.push_back({"the numbers start over in mid-scan", Expect::nothing, restart_numbers});
     t.push_back({"one sensor hears nothing for 10 s", Expect::anything, [](Events& e) { deafen(e, 1); }});
     t.push_back({"one sensor is covered for 10 s", Expect::sensor_blocked, [](Events& e) { cover(e, 2); }});
     t.push_back({"the belt skips one sensor for 10 s", Expect::sensor_blocked, [](Events& e) { skip(e, 2); }});
     t.push_back({"the port closes for 10 s", Expect::belt_lost, close_port, 1.5});
-    t.push_back({"the line goes silent for 10 s, port open", Expect::belt_lost, [](Events& e) { go_silent(e, kBegin, kEnd); }, 1.5});
+    t.push_back({"the line goes silent for 10 s, port open", Expect::belt_lost,
+                 [](Events& e) { go_silent(e, kBegin, kEnd); }, 1.5});
     t.push_back({"the line stalls for 10 s, then all of it at once", Expect::belt_lost, stall, 1.5});
     return t;
   }();

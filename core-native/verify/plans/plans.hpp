@@ -14,7 +14,8 @@ namespace echoway::plans {
 [[nodiscard]] Room box_room(std::string id, double width, double height);
 /// An L of 6 x 5 m whose inner corner is an edge.
 [[nodiscard]] Room l_room(std::string id);
-/// A comb: `walls` walls, every other corner of it reflex. Teeth 1 m wide and 3 m deep on a 2 m wide spine. walls % 4 == 0.
+/// A comb: `walls` walls, every other corner of it reflex. Teeth 1 m wide and 3 m deep on a 2 m wide spine. walls % 4
+/// == 0.
 [[nodiscard]] Room comb_room(std::string id, int walls);
 
 /// A hall of 5 x 4 m, an L-shaped office to its right and a store of 5 x 3 m above the hall.

@@ -6,7 +6,8 @@
 
 namespace echoway::plans {
 
-/// A folder of this process's own below the system's temporary one (TMPDIR), emptied on construction and on destruction.
+/// A folder of this process's own below the system's temporary one (TMPDIR), emptied on construction and on
+/// destruction.
 class ScratchFolder {
  public:
   explicit ScratchFolder(const std::string& name);

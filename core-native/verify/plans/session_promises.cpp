@@ -53,8 +53,8 @@ bool usable(const Spot& spot, const Building& building) {
 }
 
 std::string check(const Cue& cue) {
-  for (const double value : {cue.time_s, cue.direction, cue.distance_m, cue.sigma_m, cue.time_to_live_s, cue.tail.direction,
-                             cue.tail.distance_m}) {
+  for (const double value : {cue.time_s, cue.direction, cue.distance_m, cue.sigma_m, cue.time_to_live_s,
+                             cue.tail.direction, cue.tail.distance_m}) {
     if (!std::isfinite(value)) return "a cue has something that is not finite";
   }
   if (!(std::fabs(cue.direction) <= kPi) || !(std::fabs(cue.tail.direction) <= kPi)) return "a cue points nowhere";
@@ -108,7 +108,9 @@ std::string broken_guidance(Guide& guide, const Building& building) { return che
 
 std::string broken_explanation(Session& session) {
   for (const ExplainedEcho& echo : session.explain_scan()) {
-    if (!usable({echo.room, echo.at}, session.building()) || !std::isfinite(echo.expected_m)) return "an echo from nowhere";
+    if (!usable({echo.room, echo.at}, session.building()) || !std::isfinite(echo.expected_m)) {
+      return "an echo from nowhere";
+    }
   }
   return "";
 }
@@ -118,7 +120,9 @@ std::string broken_promise(const Locator& locator, const Building& building) {
 }
 
 std::string broken_promise(const Session& session) {
-  if (std::string broken = check(session.estimate(), session.hypotheses(), session.building()); !broken.empty()) return broken;
+  if (std::string broken = check(session.estimate(), session.hypotheses(), session.building()); !broken.empty()) {
+    return broken;
+  }
   for (const Firing& f : session.last_scan()) {
     if (!std::isfinite(f.time_s) || !std::isfinite(f.range_m)) return "the last scan is not finite";
   }

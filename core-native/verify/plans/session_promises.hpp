@@ -7,7 +7,8 @@
 
 namespace echoway::plans {
 
-/// Which promise of a session's output is broken: something not finite, out of range or contradictory. Empty when none is.
+/// Which promise of a session's output is broken: something not finite, out of range or contradictory. Empty when none
+/// is.
 [[nodiscard]] std::string broken_promise(const Session& session);
 [[nodiscard]] std::string broken_promise(const Locator& locator, const Building& building);
 [[nodiscard]] std::string broken_health(const BeltHealth& health);

@@ -156,7 +156,8 @@ void add_responses(std::vector<Case>& table) {
     const double cosine = heard(a.radians);
     table.push_back({"Receiver response", "integral of h_R, inclination " + std::string(a.name), [=] {
                        return sweep("cos(a) = " + number(cosine), 1e-12, [&](const Setting& s) {
-                         const CellResponse r = receiver_response(with_radius(s.radius), s.distance, a.radians, s.period);
+                         const CellResponse r =
+                             receiver_response(with_radius(s.radius), s.distance, a.radians, s.period);
                          return std::fabs(compensated_sum(r.mass) - cosine);
                        });
                      }});
@@ -199,24 +200,26 @@ void add_directivity(std::vector<Case>& table) {
                      [=] { return within(1.0, piston_directivity(x), Unit::ulps, 1.0); }});
   }
   for (const double null : {3.8317059702075123, 7.0155866698156188, 10.173468135062722, 195.56222515966257}) {
-    table.push_back({"Piston directivity", "at the null x = " + number(null),
-                     [=] { return within(0.0, piston_directivity(null), Unit::absolute, null < 60.0 ? 1e-14 : 1e-12); }});
+    table.push_back({"Piston directivity", "at the null x = " + number(null), [=] {
+                       return within(0.0, piston_directivity(null), Unit::absolute, null < 60.0 ? 1e-14 : 1e-12);
+                     }});
   }
   struct Range {
     double from, to, bound;
   };
   for (const Range range : {Range{1e-3, 2.0, 1e-14}, Range{2.0, 59.99, 1e-14}, Range{60.0, 1000.0, 1e-12}}) {
-    table.push_back({"Piston directivity", "2,000 arguments from " + number(range.from) + " to " + number(range.to), [=] {
-                       double largest = 0.0;
-                       std::string where;
-                       for (int i = 0; i <= 2000; ++i) {
-                         const double x = range.from * std::pow(range.to / range.from, i / 2000.0);
-                         const double e = std::fabs(piston_directivity(x) - 2.0 * bessel_j1(x) / x);
-                         if (!(e <= largest)) where = "x = " + number(x);
-                         largest = larger(largest, e);
-                       }
-                       return worst("Miller's recurrence", largest, Unit::absolute, range.bound, where);
-                     }});
+    table.push_back(
+        {"Piston directivity", "2,000 arguments from " + number(range.from) + " to " + number(range.to), [=] {
+           double largest = 0.0;
+           std::string where;
+           for (int i = 0; i <= 2000; ++i) {
+             const double x = range.from * std::pow(range.to / range.from, i / 2000.0);
+             const double e = std::fabs(piston_directivity(x) - 2.0 * bessel_j1(x) / x);
+             if (!(e <= largest)) where = "x = " + number(x);
+             largest = larger(largest, e);
+           }
+           return worst("Miller's recurrence", largest, Unit::absolute, range.bound, where);
+         }});
   }
   table.push_back({"Piston directivity", "even, bounded and finite for every magnitude from 1e-308 to 1e308", [] {
                      bool good = true;

@@ -31,8 +31,8 @@ Spread eigenvalues(double xx, double xy, double yy) {
 
 Building hall(double length) { return plans::alone(plans::box_room("hall", length, 2.4)); }
 
-/// The information that one scan's specular ranges hold about the position, at 1 % noise: sum of u u^T / sigma^2 over the
-/// sensors that hear something, u the direction to the reflector.
+/// The information that one scan's specular ranges hold about the position, at 1 % noise: sum of u u^T / sigma^2 over
+/// the sensors that hear something, u the direction to the reflector.
 Spread information(const Room& room, const Pose2& pose) {
   const BeltConfig belt;
   const RangeModel model(room, {}, belt, DetectionTable(belt));
@@ -98,8 +98,8 @@ double sigma_along(const Stay& s) { return std::sqrt(s.last.covariance_xx); }
 
 std::string describe(const Stay& s, const Spread& covariance) {
   char text[160];
-  std::snprintf(text, sizeof text, "sigma %.2f m along, %.2f m across, condition %.0f; %.2f m off along", sigma_along(s),
-                std::sqrt(s.last.covariance_yy), covariance.condition(), off_along(s));
+  std::snprintf(text, sizeof text, "sigma %.2f m along, %.2f m across, condition %.0f; %.2f m off along",
+                sigma_along(s), std::sqrt(s.last.covariance_yy), covariance.condition(), off_along(s));
   return text;
 }
 
@@ -109,12 +109,14 @@ Outcome admits(const Stay& s, double least_sigma) {
   const Spread covariance = eigenvalues(s.last.covariance_xx, s.last.covariance_xy, s.last.covariance_yy);
   const bool worst_is_sigma = std::fabs(s.last.sigma_m * s.last.sigma_m / covariance.large - 1.0) < 1e-9;
   const bool good = sigma_along(s) >= least_sigma && off_along(s) <= 3.0 * sigma_along(s) && worst_is_sigma;
-  return holds("at least " + number(least_sigma) + " m along the hall, the truth within 3 sigma, sigma_m along the worst direction",
+  return holds("at least " + number(least_sigma) +
+                   " m along the hall, the truth within 3 sigma, sigma_m along the worst direction",
                good, describe(s, covariance));
 }
 
-/// Of many who stand where they are known to be, the one whose estimate has run off farthest for what it claims. Nothing in such
-/// a hall tells standing from walking, and most people do not stand for long: what is known of the place fades in time.
+/// Of many who stand where they are known to be, the one whose estimate has run off farthest for what it claims.
+/// Nothing in such a hall tells standing from walking, and most people do not stand for long: what is known of the
+/// place fades in time.
 Stay worst_of_standing(double length, double seconds, const Start& start) {
   constexpr std::uint64_t kWalks = 12;
   Stay worst = stay(length, {false, seconds, 1}, start);
@@ -134,7 +136,8 @@ void add_conditioning(std::vector<Case>& table) {
   };
   add("information of one scan in the middle of a 60 x 2.4 m hall, facing along it", [] {
     const Spread s = information(hall(60.0).rooms[0], {{30.0, 1.1}, 0.0});
-    return holds("nothing along the hall: condition above 1e12", s.condition() > 1e12, "condition " + number(s.condition()));
+    return holds("nothing along the hall: condition above 1e12", s.condition() > 1e12,
+                 "condition " + number(s.condition()));
   });
   add("information of one scan 3 m from the end of that hall", [] {
     const Spread s = information(hall(60.0).rooms[0], {{57.0, 1.1}, 0.0});

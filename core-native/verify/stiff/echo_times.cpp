@@ -37,7 +37,8 @@ Outcome continuity(const Room& room, const Pose2& from, const Pose2& to, int ste
     PredictedEcho before;
     for (int i = 0; i <= steps; ++i) {
       const double t = static_cast<double>(i) / steps;
-      const Pose2 pose{from.position + t * (to.position - from.position), from.heading + t * (to.heading - from.heading)};
+      const Pose2 pose{from.position + t * (to.position - from.position),
+                       from.heading + t * (to.heading - from.heading)};
       const PredictedEcho echo = model.predict(pose, sensor);
       const bool same = i > 0 && echo.kind == before.kind && echo.index == before.index;
       switches += i > 0 && !same;
@@ -82,7 +83,9 @@ Outcome arrival_continuity(bool over_distance) {
     if (!time) break;
     const double moved = over_distance && i > 0 ? 2.0 * 0.02 / steps / transducer.sound_speed_mps : 0.0;
     const double jump = i > 0 ? std::fabs(*time - before - moved) : 0.0;
-    if (!(jump <= largest)) where = over_distance ? number(distance_m) + " m" : number(to_degrees(inclination)) + " deg";
+    if (!(jump <= largest)) {
+      where = over_distance ? number(distance_m) + " m" : number(to_degrees(inclination)) + " deg";
+    }
     largest = larger(largest, jump);
     before = *time;
   }
@@ -101,7 +104,8 @@ void add_arrivals(std::vector<Case>& table) {
                        const double period = 1.0 / (32.0 * t.frequency_hz);
                        const Waveform echo = echo_waveform(t, ElementKind::wall, z, 0.0, period);
                        const double from_first_cell = 0.5 * period;
-                       return within(2.0 * z / t.sound_speed_mps + from_first_cell, echo.start_s, Unit::relative, 4.5e-16);
+                       return within(2.0 * z / t.sound_speed_mps + from_first_cell, echo.start_s, Unit::relative,
+                                     4.5e-16);
                      }});
   }
 }
@@ -140,7 +144,8 @@ void add_ranges(std::vector<Case>& table) {
                          differences += swept[at] != model.predict_towards(axis, directions.unit(k));
                        }
                      }
-                     return worst("the same", differences, Unit::absolute, 0.0, std::to_string(differences) + " of 72,000 differ");
+                     return worst("the same", differences, Unit::absolute, 0.0,
+                                  std::to_string(differences) + " of 72,000 differ");
                    }});
 }
 
@@ -151,7 +156,8 @@ void add_unusable(std::vector<Case>& table) {
                      std::vector<PredictedEcho> swept(72);
                      int wrong = 0;
                      for (const double bad : {kNan, kInfinity, -kInfinity, 1e300, -1e300}) {
-                       for (const Pose2& pose : {Pose2{{bad, 1.0}, 0.0}, Pose2{{1.0, bad}, 0.0}, Pose2{{1.0, 1.0}, bad}}) {
+                       for (const Pose2& pose :
+                            {Pose2{{bad, 1.0}, 0.0}, Pose2{{1.0, bad}, 0.0}, Pose2{{1.0, 1.0}, bad}}) {
                          for (int sensor = 0; sensor < 15; ++sensor) {
                            wrong += !std::isfinite(model.predict(pose, sensor).range_m);
                          }
@@ -177,7 +183,8 @@ void add_unusable(std::vector<Case>& table) {
                          }
                        }
                        const bool sensible = detection.widest() > 0.0 && detection.widest() <= 0.5 * kPi;
-                       return worst("within the beam, at most 90 degrees", sensible ? largest : kNan, Unit::absolute, 1e-12);
+                       return worst("within the beam, at most 90 degrees", sensible ? largest : kNan, Unit::absolute,
+                                    1e-12);
                      }});
   }
 }

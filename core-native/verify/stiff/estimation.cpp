@@ -100,12 +100,14 @@ void add_made_up(std::vector<Case>& table) {
     return not_certain(made_up(57692, [](int i) { return at_slot(i, Firing::kNoEcho); }, SessionConfig{}));
   });
   add("one sensor's echo for ten minutes, fourteen silent", [] {
-    const MadeUp m = made_up(9616, [](int i) { return at_slot(i, i % 15 == 3 ? 2.0 : Firing::kNoEcho); }, SessionConfig{});
+    const MadeUp m =
+        made_up(9616, [](int i) { return at_slot(i, i % 15 == 3 ? 2.0 : Firing::kNoEcho); }, SessionConfig{});
     return not_certain(m);
   });
 }
 
-/// A walk of a minute and a half after `firings` firings made up by `make`: whatever came before, the wearer is found again.
+/// A walk of a minute and a half after `firings` firings made up by `make`: whatever came before, the wearer is found
+/// again.
 Outcome found_after(int firings, const std::function<double(int)>& range) {
   return still_found(follow(wearer(90.0), nullptr, nullptr, [&](Session& session) {
     for (int i = 0; i < firings; ++i) session.on_firing({0.0624 * (i - firings), i % 15, range(i)});
@@ -123,7 +125,8 @@ void add_recoveries(std::vector<Case>& table) {
     Random random(9);
     return found_after(3000, [&](int) { return random.uniform(0.15, 10.67); });
   });
-  add("a walk after ten minutes without any echo", [] { return found_after(9616, [](int) { return Firing::kNoEcho; }); });
+  add("a walk after ten minutes without any echo",
+      [] { return found_after(9616, [](int) { return Firing::kNoEcho; }); });
   add("a building of one room, one hypothesis", [] {
     const Building building = plans::alone(plans::l_room("only"));
     auto opened = Session::open(building, SessionConfig{});
@@ -134,7 +137,8 @@ void add_recoveries(std::vector<Case>& table) {
       if (broken.empty()) broken = plans::broken_promise(**opened);
     }
     const bool there = (*opened)->estimate().room == 0;
-    return holds("every promise kept, in that room", broken.empty() && there, broken.empty() ? there ? "kept" : "in no room" : broken);
+    return holds("every promise kept, in that room", broken.empty() && there,
+                 broken.empty() ? there ? "kept" : "in no room" : broken);
   });
 }
 
@@ -181,7 +185,8 @@ void add_starts(std::vector<Case>& table) {
 
 void add_clocks(std::vector<Case>& table) {
   const auto add = [&](std::string title, ChangeFiring firing, ChangeHint hint) {
-    table.push_back({"Estimation: clocks", std::move(title), [=] { return still_found(follow(wearer(45.0), firing, hint)); }});
+    table.push_back(
+        {"Estimation: clocks", std::move(title), [=] { return still_found(follow(wearer(45.0), firing, hint)); }});
   };
   // From the 200th firing (12.5 s) on, both clocks are elsewhere.
   const auto shifted = [](double by) {
@@ -194,8 +199,9 @@ void add_clocks(std::vector<Case>& table) {
                                                  return h;
                                                }};
   };
-  for (const auto& [title, by] : {std::pair{"both clocks jump a day ahead", kDay}, std::pair{"both clocks go back by a day", -kDay},
-                                  std::pair{"both clocks go back by a second", -1.0}}) {
+  for (const auto& [title, by] :
+       {std::pair{"both clocks jump a day ahead", kDay}, std::pair{"both clocks go back by a day", -kDay},
+        std::pair{"both clocks go back by a second", -1.0}}) {
     const auto change = shifted(by);
     add(title, change.first, change.second);
   }
@@ -304,20 +310,21 @@ void add_belts(std::vector<Case>& table) {
                      return honest(follow(wearer(200.0, belt)), 0.05);
                    }});
   for (const int particles : {1, 2}) {
-    table.push_back({"Estimation: belts", std::to_string(particles) + (particles == 1 ? " particle" : " particles"), [=] {
-                       const Wearer w = wearer(30.0);
-                       BayesOptions options;
-                       options.particles = particles;
-                       options.particles_without_gyroscope = particles;
-                       BayesLocator locator(w.building, w.config.belt, w.config.start, options);
-                       bool finite = true;
-                       for (const Firing& f : w.walk.scans.firings) {
-                         locator.on_firing(f);
-                         const Estimate& e = locator.estimate();
-                         finite = finite && is_finite(e.pose) && std::isfinite(e.sigma_m) && std::isfinite(e.covariance_xy);
-                       }
-                       return holds("finite throughout", finite, finite ? "finite" : "not finite");
-                     }});
+    table.push_back(
+        {"Estimation: belts", std::to_string(particles) + (particles == 1 ? " particle" : " particles"), [=] {
+           const Wearer w = wearer(30.0);
+           BayesOptions options;
+           options.particles = particles;
+           options.particles_without_gyroscope = particles;
+           BayesLocator locator(w.building, w.config.belt, w.config.start, options);
+           bool finite = true;
+           for (const Firing& f : w.walk.scans.firings) {
+             locator.on_firing(f);
+             const Estimate& e = locator.estimate();
+             finite = finite && is_finite(e.pose) && std::isfinite(e.sigma_m) && std::isfinite(e.covariance_xy);
+           }
+           return holds("finite throughout", finite, finite ? "finite" : "not finite");
+         }});
   }
 }
 
@@ -328,7 +335,8 @@ void add_weights(std::vector<Case>& table) {
     double first;
     double share;  ///< Of the first of 100 particles, afterwards.
   };
-  for (const Weights& w : {Weights{"all equal", 0.3, 0.3, 0.01}, Weights{"all of exp(-1e5), which is 0", std::exp(-1e5), std::exp(-1e5), 0.01},
+  for (const Weights& w : {Weights{"all equal", 0.3, 0.3, 0.01},
+                           Weights{"all of exp(-1e5), which is 0", std::exp(-1e5), std::exp(-1e5), 0.01},
                            Weights{"all denormal but one", 5e-324, 1.0, 1.0}, Weights{"one NaN", 0.3, kNan, 0.01},
                            Weights{"all but one 0", 0.0, 1e-300, 1.0}}) {
     table.push_back({"Estimation: weights", std::string("of 100 particles, ") + w.title, [=] {
@@ -342,7 +350,8 @@ void add_weights(std::vector<Case>& table) {
                        population.normalize();
                        double sum = 0.0;
                        for (const tracker::Particle& p : population.particles()) sum += p.weight;
-                       const double off = larger(std::fabs(sum - 1.0), std::fabs(population.particles()[0].weight - w.share));
+                       const double off =
+                           larger(std::fabs(sum - 1.0), std::fabs(population.particles()[0].weight - w.share));
                        Random random(4);
                        population.resample(100, random);
                        return worst("a sum of 1, and the first's share " + number(w.share), off, Unit::absolute, 1e-14,
@@ -375,7 +384,9 @@ void add_same_tracks(std::vector<Case>& table) {
   table.push_back({"Estimation: the same building otherwise", "rooms measured in feet instead of metres", [] {
                      const Wearer w = wearer(30.0);
                      Building feet = w.building;
-                     const auto there_and_back = [](double& metres) { metres = metres / kMetresPerFoot * kMetresPerFoot; };
+                     const auto there_and_back = [](double& metres) {
+                       metres = metres / kMetresPerFoot * kMetresPerFoot;
+                     };
                      for (Room& room : feet.rooms) {
                        for (Segment& wall : room.walls) {
                          for (Vec2* p : {&wall.a, &wall.b}) {
@@ -398,8 +409,8 @@ void add_same_tracks(std::vector<Case>& table) {
                    }});
 }
 
-/// Where the building lies: all of it, or every room in its own frame, 2^20 m (about 1e6) from the origin, where a double still
-/// tells places 1e-10 m apart.
+/// Where the building lies: all of it, or every room in its own frame, 2^20 m (about 1e6) from the origin, where a
+/// double still tells places 1e-10 m apart.
 void add_far_off(std::vector<Case>& table) {
   constexpr Vec2 kFar{0x1.0p20, -0x1.0p20};
   table.push_back({"Estimation: the same building otherwise", "1e6 m off the origin", [=] {
@@ -450,7 +461,8 @@ void add_not_numbers(std::vector<Case>& table) {
                          for (const Vec2 spot : {Vec2{bad, 1.0}, Vec2{1.0, bad}}) {
                            if (s.set_destination(Goal{Goal::Kind::spot, 0, {0, spot}})) broken = "led to no place";
                          }
-                         for (const Start& start : {Start{0, Vec2{bad, 1.0}, 0.0}, Start{0, Vec2{1.0, bad}, 0.0}, Start{0, Vec2{1.0, 1.0}, bad}}) {
+                         for (const Start& start : {Start{0, Vec2{bad, 1.0}, 0.0}, Start{0, Vec2{1.0, bad}, 0.0},
+                                                    Start{0, Vec2{1.0, 1.0}, bad}}) {
                            if (s.restart(start)) broken = "restarted at no place";
                          }
                          if (broken.empty()) broken = plans::broken_promise(s);
@@ -468,9 +480,10 @@ void add_not_numbers(std::vector<Case>& table) {
   table.push_back({"Estimation: NaN and infinity", "in every number of a belt's description and of a start", [] {
                      int opened = 0;
                      for (const double bad : {kNan, kInfinity, -kInfinity}) {
-                       for (double BeltConfig::*field : {&BeltConfig::radius_m, &BeltConfig::beam_rad, &BeltConfig::slot_s,
-                                                         &BeltConfig::min_range_m, &BeltConfig::max_range_m,
-                                                         &BeltConfig::range_noise, &BeltConfig::temperature_c}) {
+                       for (double BeltConfig::* field :
+                            {&BeltConfig::radius_m, &BeltConfig::beam_rad, &BeltConfig::slot_s,
+                             &BeltConfig::min_range_m, &BeltConfig::max_range_m, &BeltConfig::range_noise,
+                             &BeltConfig::temperature_c}) {
                          SessionConfig config;
                          config.belt.*field = bad;
                          opened += Session::open(plans::three_rooms(), config).ok();
@@ -481,7 +494,8 @@ void add_not_numbers(std::vector<Case>& table) {
                        config.start = {0, Vec2{1.0, 1.0}, bad};
                        opened += Session::open(plans::three_rooms(), config).ok();
                      }
-                     return worst("refused with a reason", opened, Unit::absolute, 0.0, std::to_string(opened) + " opened");
+                     return worst("refused with a reason", opened, Unit::absolute, 0.0,
+                                  std::to_string(opened) + " opened");
                    }});
 }
 
@@ -503,13 +517,16 @@ void add_elementary(std::vector<Case>& table) {
                      for (int i = -70000; i <= 70800; ++i) {
                        const double x = std::exp(0.01 * i);
                        const double expected = std::log(x);
-                       largest = larger(largest, std::fabs(tracker::fast_log(x) - expected) / std::fmax(1.0, std::fabs(expected)));
+                       largest = larger(
+                           largest, std::fabs(tracker::fast_log(x) - expected) / std::fmax(1.0, std::fabs(expected)));
                      }
                      return worst("the C library's", largest, Unit::relative, 1e-15);
                    }});
   table.push_back({"Estimation: elementary functions", "log of 0, a denormal, a negative number, NaN, infinity", [] {
                      bool finite = true;
-                     for (const double x : {0.0, 5e-324, -1.0, kNan, kInfinity}) finite = finite && std::isfinite(tracker::fast_log(x));
+                     for (const double x : {0.0, 5e-324, -1.0, kNan, kInfinity}) {
+                       finite = finite && std::isfinite(tracker::fast_log(x));
+                     }
                      return holds("finite", finite, finite ? "finite" : "not finite");
                    }});
   table.push_back({"Estimation: elementary functions", "sine and cosine over [-100, 100]", [] {
@@ -517,7 +534,8 @@ void add_elementary(std::vector<Case>& table) {
                      for (int i = -100000; i <= 100000; ++i) {
                        const double x = 0.001 * i;
                        const tracker::SinCos f = tracker::fast_sincos(x);
-                       largest = larger(largest, std::fmax(std::fabs(f.sin - std::sin(x)), std::fabs(f.cos - std::cos(x))));
+                       largest =
+                           larger(largest, std::fmax(std::fabs(f.sin - std::sin(x)), std::fabs(f.cos - std::cos(x))));
                      }
                      return worst("the C library's", largest, Unit::absolute, 1e-15);
                    }});

@@ -84,7 +84,9 @@ std::vector<Vec2> awkward_points(const std::vector<Vec2>& loop) {
     }
   }
   Random random(7);
-  for (int i = 0; i < 20000; ++i) points.push_back(snapped({{random.uniform(-70.0, 260.0), random.uniform(-70.0, 70.0)}})[0]);
+  for (int i = 0; i < 20000; ++i) {
+    points.push_back(snapped({{random.uniform(-70.0, 260.0), random.uniform(-70.0, 70.0)}})[0]);
+  }
   return points;
 }
 
@@ -265,8 +267,8 @@ void add_degenerate_walls(std::vector<Case>& table) {
   add("a wall drawn twice, backwards", {{{6.0, 0.0}, {0.0, 0.0}}}, 0.0);
   add("a second wall 1e-9 m behind", {{{0.0, -1e-9}, {6.0, -1e-9}}}, 1e-12);
   add("a second wall 1e-12 rad from parallel", {{{0.0, -1e-9}, {6.0, -1e-9 + 6e-12}}}, 1e-12);
-  add("a wall in two pieces that leave 1e-9 m between them", {{{0.0, 0.0}, {3.0, 0.0}}, {{3.0 + 1e-9, 0.0}, {6.0, 0.0}}},
-      1e-12);
+  add("a wall in two pieces that leave 1e-9 m between them",
+      {{{0.0, 0.0}, {3.0, 0.0}}, {{3.0 + 1e-9, 0.0}, {6.0, 0.0}}}, 1e-12);
 }
 
 }  // namespace

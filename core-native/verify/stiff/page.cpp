@@ -40,8 +40,8 @@ std::string page() {
     body += row(one, outcome);
   }
   return "# Stiff and extreme cases\n\nWritten by `make stiff-page` from the table of cases that the tests run "
-         "(core-native/verify/stiff), on x86-64 with the release build. Where a row stands for a sweep, the error is the "
-         "worst of it and \"got\" says where it was.\n\n" +
+         "(core-native/verify/stiff), on x86-64 with the release build. Where a row stands for a sweep, the error is "
+         "the worst of it and \"got\" says where it was.\n\n" +
          std::to_string(cases().size()) + " cases, " + std::to_string(failures) + " of which do not hold.\n" + body;
 }
 
@@ -54,8 +54,8 @@ int report_failures(std::string_view part) {
     const Outcome outcome = one.run();
     if (outcome.holds) continue;
     ++failures;
-    std::printf("FAILED %s: %s: expected %s, got %s %s\n", one.group.c_str(), one.name.c_str(), outcome.expected.c_str(),
-                outcome.got.c_str(), describe_error(outcome).c_str());
+    std::printf("FAILED %s: %s: expected %s, got %s %s\n", one.group.c_str(), one.name.c_str(),
+                outcome.expected.c_str(), outcome.got.c_str(), describe_error(outcome).c_str());
   }
   std::printf("%d stiff cases, %d failed\n", run, failures);
   return failures;

@@ -86,15 +86,20 @@ void add_shapes(std::vector<Case>& table) {
     for (Vec2& p : loop) p = p + Vec2{1e6, -1e6};
     return loads(walls_of(loop), 20.0, 1e-9, {1e6 + 2.0, -1e6 + 2.0});
   });
-  add("a wall of zero length besides", [=] { return loads(with({{{2.0, 0.0}, {2.0, 0.0}}}), 20.0, 1e-12, {2.0, 2.0}); });
+  add("a wall of zero length besides",
+      [=] { return loads(with({{{2.0, 0.0}, {2.0, 0.0}}}), 20.0, 1e-12, {2.0, 2.0}); });
   add("a wall of 1e-12 m besides", [=] { return loads(with({{{2.0, 0.0}, {2.0, 1e-12}}}), 20.0, 1e-9, {2.0, 2.0}); });
   add("a wall drawn twice", [=] { return loads(with({{{5.0, 0.0}, {0.0, 0.0}}}), 20.0, 1e-12, {2.0, 2.0}); });
   add("walls that miss each other by 1e-9 m", [] {
-    return loads({{{0.0, 0.0}, {5.0 - 1e-9, 0.0}}, {{5.0, 1e-9}, {5.0, 4.0}}, {{5.0, 4.0}, {0.0, 4.0}}, {{0.0, 4.0}, {0.0, 0.0}}},
+    return loads({{{0.0, 0.0}, {5.0 - 1e-9, 0.0}},
+                  {{5.0, 1e-9}, {5.0, 4.0}},
+                  {{5.0, 4.0}, {0.0, 4.0}},
+                  {{0.0, 4.0}, {0.0, 0.0}}},
                  20.0, 1e-8, {2.0, 2.0});
   });
   add("walls that miss each other by 1 m", [] {
-    return refused({{{0.0, 0.0}, {4.0, 0.0}}, {{5.0, 0.0}, {5.0, 4.0}}, {{5.0, 4.0}, {0.0, 4.0}}, {{0.0, 4.0}, {0.0, 0.0}}});
+    return refused(
+        {{{0.0, 0.0}, {4.0, 0.0}}, {{5.0, 0.0}, {5.0, 4.0}}, {{5.0, 4.0}, {0.0, 4.0}}, {{0.0, 4.0}, {0.0, 0.0}}});
   });
   add("only walls of zero length", [] { return refused({{{1.0, 1.0}, {1.0, 1.0}}, {{2.0, 2.0}, {2.0, 2.0}}}); });
   add("a floor without area", [] {
@@ -134,8 +139,8 @@ void add_not_numbers(std::vector<Case>& table) {
     std::vector<std::size_t> numeric;
   };
   static const char* const kRoom = "4 0 0\n1 0 0 5 0\n1 5 0 5 4\n1 5 4 0 4\n1 0 4 0 0\n";
-  for (const Line& line : {Line{"wall", {"1", "0", "0", "1", "1"}, {1, 2, 3, 4}}, Line{"corner", {"2", "0", "0"}, {1, 2}},
-                           Line{"edge", {"3", "1", "1"}, {1, 2}},
+  for (const Line& line : {Line{"wall", {"1", "0", "0", "1", "1"}, {1, 2, 3, 4}},
+                           Line{"corner", {"2", "0", "0"}, {1, 2}}, Line{"edge", {"3", "1", "1"}, {1, 2}},
                            Line{"all-reflective element", {"4", "1", "1", "2", "2"}, {1, 2, 3, 4}}}) {
     table.push_back({"NaN and infinity", std::string("in every number of a room's ") + line.name, [=] {
                        return none_accepted(accepted(line.fields, line.numeric, ' ', [&](const std::string& text) {
@@ -184,7 +189,8 @@ void add_not_numbers(std::vector<Case>& table) {
   add_log("scan log", "time_s,sensor,range_m", {"", {"1.5", "3", "2.25"}, {0, 1, 2}},
           [](const std::filesystem::path& file) { return read_scan_log(file); });
   add_log("motion log", "time_s,kind,value", {"", {"1.5", "yaw_rate_dps", "2.25"}, {0, 2}}, read_motion_log);
-  add_log("truth log", "time_s,room,x_m,y_m,heading_deg", {"", {"1.5", "a", "1", "2", "90"}, {0, 2, 3, 4}}, read_truth_log);
+  add_log("truth log", "time_s,room,x_m,y_m,heading_deg", {"", {"1.5", "a", "1", "2", "90"}, {0, 2, 3, 4}},
+          read_truth_log);
   add_log("track", "time_s,room,x_m,y_m,heading_deg,sigma_m,room_probability,state",
           {"", {"1.5", "a", "1", "2", "90", "0.1", "0.9", "tracking"}, {0, 2, 3, 4, 5, 6}}, read_track_log);
 }
@@ -211,7 +217,8 @@ void add_walk_statements(std::vector<Case>& table) {
                      for (const Statement& s : kStatements) {
                        taken += accepted(s.fields, s.numeric, ' ', [&](const std::string& line) {
                          const std::string start = s.fields[0] == "start" ? "" : "start a 1 1 90\n";
-                         const auto walk = sim::parse_walk(s.before_start ? line + start + "pause 1\n" : start + line + "pause 1\n", "walk");
+                         const auto walk = sim::parse_walk(
+                             s.before_start ? line + start + "pause 1\n" : start + line + "pause 1\n", "walk");
                          return walk.ok() || !named_line(walk.error());
                        });
                      }
@@ -230,7 +237,9 @@ Outcome units_agree() {
   const Status wrote_feet = write_building(building, feet_folder.path());
   const Result<Building> a = load_building(metres.path());
   const Result<Building> b = load_building(feet_folder.path());
-  if (!wrote_metres || !wrote_feet || !a || !b) return holds("both load", false, a ? b.error().to_string() : a.error().to_string());
+  if (!wrote_metres || !wrote_feet || !a || !b) {
+    return holds("both load", false, a ? b.error().to_string() : a.error().to_string());
+  }
   double largest = 0.0;
   for (std::size_t r = 0; r < a->rooms.size(); ++r) {
     for (std::size_t w = 0; w < a->rooms[r].walls.size(); ++w) {

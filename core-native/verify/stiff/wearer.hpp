@@ -31,8 +31,8 @@ struct Followed {
 using ChangeFiring = std::function<Firing(Firing, int index)>;
 using ChangeHint = std::function<MotionHint(MotionHint, int index)>;
 
-/// Feeds the walk, each input changed; checks every promise after each. `before`: what the session goes through first, at
-/// times before 0.
+/// Feeds the walk, each input changed; checks every promise after each. `before`: what the session goes through first,
+/// at times before 0.
 [[nodiscard]] Followed follow(const Wearer& wearer, const ChangeFiring& change_firing = nullptr,
                               const ChangeHint& change_hint = nullptr,
                               const std::function<void(Session&)>& before = nullptr);

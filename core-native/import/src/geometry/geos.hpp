@@ -52,8 +52,8 @@ class Shape {
 
 [[nodiscard]] Shape point(Vec2 p);
 [[nodiscard]] Shape line(const std::vector<Vec2>& path);
-/// The valid area of a polygon: rings that cross themselves are split, and of holes only what lies in the outline is taken
-/// out, so that the result is always safe to use.
+/// The valid area of a polygon: rings that cross themselves are split, and of holes only what lies in the outline is
+/// taken out, so that the result is always safe to use.
 [[nodiscard]] Shape area_of(const Polygon2& polygon);
 /// True when the rings as given bound a valid polygon.
 [[nodiscard]] bool is_valid(const Polygon2& polygon);

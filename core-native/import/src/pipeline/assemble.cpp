@@ -112,7 +112,8 @@ class Assembler {
         Room& room = building_.rooms[static_cast<std::size_t>(first_room_[level]) + i];
         for (const Path& path : geos::to_paths(geos::intersection(outline, floors[i]))) {
           for (std::size_t k = 1; k < path.size(); ++k) {
-            room.reflectors.push_back({room.frame.inverse_transform(path[k - 1]), room.frame.inverse_transform(path[k])});
+            room.reflectors.push_back(
+                {room.frame.inverse_transform(path[k - 1]), room.frame.inverse_transform(path[k])});
           }
         }
       }

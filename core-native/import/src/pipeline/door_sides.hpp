@@ -41,8 +41,8 @@ class DoorLooker {
 
   /// Up to `reach` metres from the door's centre.
   [[nodiscard]] DoorSides within(const DoorCandidate& door, double reach) const;
-  /// For a door drawn as a line or a point, up to kWallReach; where that finds one room, up to another one behind a wall of
-  /// kThickestWall.
+  /// For a door drawn as a line or a point, up to kWallReach; where that finds one room, up to another one behind a
+  /// wall of kThickestWall.
   [[nodiscard]] DoorSides through_wall(const DoorCandidate& door) const;
 
   /// Metres.

@@ -168,7 +168,8 @@ class Placer {
 
   void keep(const PlanDoor& door, const DoorCandidate& candidate, const DoorSides& sides) {
     if (!sides.joins_two()) {
-      unresolved(door, candidate.centre, sides.has(Kind::cell) ? kLeadsNowhere : "has no room on either side: left out");
+      unresolved(door, candidate.centre,
+                 sides.has(Kind::cell) ? kLeadsNowhere : "has no room on either side: left out");
       return;
     }
     PlacedDoor placed{door.source, door.name, candidate.centre, candidate.along,
@@ -186,9 +187,9 @@ class Placer {
     } else if (door.way_out || (floor_.plan->ground && !sides.has(Kind::court))) {
       placement_.exits.push_back(placed);
     } else {
-      unresolved(door, candidate.centre, sides.has(Kind::court)
-                                             ? "leads into a court or a space that is not drawn: not taken for a way out"
-                                             : "leads outdoors above or below the ground: not taken for a way out");
+      unresolved(door, candidate.centre,
+                 sides.has(Kind::court) ? "leads into a court or a space that is not drawn: not taken for a way out"
+                                        : "leads outdoors above or below the ground: not taken for a way out");
     }
   }
 

@@ -30,8 +30,8 @@ struct DoorPlacement {
   std::set<std::size_t> within_a_cell;  ///< Indices of doors drawn as areas with the same cell on both sides.
 };
 
-/// Finds what every door of a level joins. Doors beside their wall are moved onto it, leaves of one door are joined; what
-/// leads nowhere is reported.
+/// Finds what every door of a level joins. Doors beside their wall are moved onto it, leaves of one door are joined;
+/// what leads nowhere is reported.
 [[nodiscard]] DoorPlacement place_doors(const LevelFloor& floor, Report* report);
 
 }  // namespace echoway::import

@@ -121,7 +121,9 @@ class Cutter {
     std::vector<Shape> outdoors{given_outdoors_};
     if (!level_.outline.empty()) {
       std::vector<Shape> bands;
-      for (Path ring : geos::to_paths(geos::boundary(floor_.inside))) bands.push_back(geos::thicken(ring, kOutlineBand));
+      for (Path ring : geos::to_paths(geos::boundary(floor_.inside))) {
+        bands.push_back(geos::thicken(ring, kOutlineBand));
+      }
       const Shape band = geos::unite(bands);
       std::erase_if(floor_.cells, [&](const Cell& cell) {
         const bool out = cell.unit == nullptr && is_exposed(cell.floor, band);

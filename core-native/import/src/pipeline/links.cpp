@@ -126,7 +126,9 @@ class Finder {
       for (Shaft& shaft : shafts_) {
         if (shaft.level != i || kind_of(*shaft.unit) != kind) continue;
         const bool named = !end.unit.empty() && shaft.unit->source.id == end.unit;
-        if (named || (end.at && geos::distance(shaft.area, *end.at) < kReach)) return End{i, shaft.cell, shaft.at, &shaft};
+        if (named || (end.at && geos::distance(shaft.area, *end.at) < kReach)) {
+          return End{i, shaft.cell, shaft.at, &shaft};
+        }
       }
       if (!end.at) return std::nullopt;
       const int cell = levels_[i].floor.cell_near(*end.at, kReach);

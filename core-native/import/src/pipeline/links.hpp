@@ -14,8 +14,9 @@ struct PlacedLink {
   Vec2 at_a{}, at_b{};
 };
 
-/// Joins levels: as the plan declares, else where stairs lie above stairs on the next level and elevators above elevators
-/// on any level. Stairs that join nothing are reported.
-[[nodiscard]] std::vector<PlacedLink> find_links(const Plan& plan, const std::vector<LevelRooms>& levels, Report& report);
+/// Joins levels: as the plan declares, else where stairs lie above stairs on the next level and elevators above
+/// elevators on any level. Stairs that join nothing are reported.
+[[nodiscard]] std::vector<PlacedLink> find_links(const Plan& plan, const std::vector<LevelRooms>& levels,
+                                                 Report& report);
 
 }  // namespace echoway::import

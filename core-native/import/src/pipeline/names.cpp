@@ -14,8 +14,8 @@ constexpr std::size_t kMaxSlug = 40;
 // Plain letters for U+00C0 to U+017F, the Latin letters with accents.
 constexpr std::string_view kPlainLatin =
     "aaaaaaaceeeeiiiidnooooo-ouuuuytsaaaaaaaceeeeiiiidnooooo-ouuuuyty"
-    "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiiiiijjkkkllllllllllnnnnnnnnnoooooooorrrrrrssssssssttttttuuuuuuuuuuuuww"
-    "yyyzzzzzzs";
+    "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiiiiijjkkkllllllllllnnnnnnnnn"
+    "oooooooorrrrrrssssssssttttttuuuuuuuuuuuuwwyyyzzzzzzs";
 
 struct Decoded {
   unsigned code = 0;
@@ -26,7 +26,10 @@ Decoded decode(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned lead = byte(0);
   if (lead < 0x80) return {lead, 1};
-  const std::size_t length = lead >= 0xF0 && lead < 0xF5 ? 4 : lead >= 0xE0 && lead < 0xF0 ? 3 : lead >= 0xC2 && lead < 0xE0 ? 2 : 0;
+  const std::size_t length = lead >= 0xF0 && lead < 0xF5   ? 4
+                             : lead >= 0xE0 && lead < 0xF0 ? 3
+                             : lead >= 0xC2 && lead < 0xE0 ? 2
+                                                           : 0;
   if (length == 0 || text.size() < length) return {};
   unsigned code = lead & (0xFFu >> (length + 1));
   for (std::size_t i = 1; i < length; ++i) {
@@ -100,8 +103,8 @@ std::string spoken_category(std::string_view category) {
       {"drinkingfountain", "Drinking fountain"}, {"drinking_water", "Drinking water"},
   }};
   static constexpr std::array<std::string_view, 13> kSilent{
-      "room", "area", "unit", "walkway", "unspecified", "no_geometry", "nonpublic", "structure", "yes", "wall", "column",
-      "level", "door"};
+      "room",      "area", "unit", "walkway", "unspecified", "no_geometry", "nonpublic",
+      "structure", "yes",  "wall", "column",  "level",       "door"};
   for (const auto& [word, spoken] : kSpoken) {
     if (category == word) return std::string(spoken);
   }

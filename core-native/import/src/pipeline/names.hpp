@@ -8,8 +8,8 @@
 
 namespace echoway::import {
 
-/// Lower-case letters, digits and hyphens of a name, accents dropped: what a room id and a file name can hold. Empty when
-/// the name has none (another script).
+/// Lower-case letters, digits and hyphens of a name, accents dropped: what a room id and a file name can hold. Empty
+/// when the name has none (another script).
 [[nodiscard]] std::string slug(std::string_view name);
 
 /// A name fit for a quoted string and for speech: valid UTF-8, no control characters, no quotes, bounded length.

@@ -80,7 +80,9 @@ void drop_strays(Plan& plan, const LocalProjection& near, Report& report) {
                   std::abs(turn_from(p.x, near.origin().lon)) > 90.0;
           }
         });
-        if (far) report.unresolved(feature.source, level.short_name, {}, "lies far from the rest of the plan: left out");
+        if (far) {
+          report.unresolved(feature.source, level.short_name, {}, "lies far from the rest of the plan: left out");
+        }
         return far;
       });
     });

@@ -17,8 +17,8 @@ struct LevelRooms {
   std::vector<bool> is_destination;  ///< Of every cell: the plan names it, so somebody may want to go there.
 };
 
-/// Cuts a level, finds its doors, opens doors that stand within one space, and names what is left in reading order (from
-/// the top of the plan, left to right).
+/// Cuts a level, finds its doors, opens doors that stand within one space, and names what is left in reading order
+/// (from the top of the plan, left to right).
 [[nodiscard]] LevelRooms find_rooms(const PlanLevel& level, Report& report);
 
 }  // namespace echoway::import

@@ -86,7 +86,8 @@ json parse_json(const std::string& text, const std::string& file) {
   } catch (const TooMuch& too) {
     throw SourceError(Error{too.what, file, 0});
   } catch (const json::parse_error& e) {
-    const bool encoded = std::string_view(e.what()).find("ill-formed UTF-8") != std::string_view::npos || is_utf16(text);
+    const bool encoded =
+        std::string_view(e.what()).find("ill-formed UTF-8") != std::string_view::npos || is_utf16(text);
     const char* what = encoded ? "is not UTF-8 text: save the plan in UTF-8" : "is not JSON: unexpected text here";
     throw SourceError(Error{what, file, line_at(text, e.byte)});
   } catch (const json::exception& e) {

@@ -9,8 +9,8 @@
 #include "source/source_error.hpp"
 #include "source/source_tree.hpp"
 
-// Indoor Mapping Data Format (OGC 20-094): one FeatureCollection a feature type. Units tile a level's floor, openings are
-// lines across the boundary of units, occupants name units through anchors, relationships join levels.
+// Indoor Mapping Data Format (OGC 20-094): one FeatureCollection a feature type. Units tile a level's floor, openings
+// are lines across the boundary of units, occupants name units through anchors, relationships join levels.
 namespace echoway::import {
 namespace {
 
@@ -35,7 +35,8 @@ UnitKind unit_kind(const std::string& category) {
   if (head == "elevator") return UnitKind::elevator;
   if (any_of_words(head, {"structure", "column", "brick", "concrete", "drywall", "glass"})) return UnitKind::solid;
   if (head == "opentobelow") return UnitKind::opening;
-  if (any_of_words(head, {"terrace", "unenclosedarea", "road", "vegetation", "parking", "smokingarea", "fieldofplay"})) {
+  if (any_of_words(head,
+                   {"terrace", "unenclosedarea", "road", "vegetation", "parking", "smokingarea", "fieldofplay"})) {
     return UnitKind::outdoors;
   }
   return UnitKind::room;

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-/// Bounds on what a plan may ask of this machine. Real plans stay far below; hostile ones are refused at the bound, before
-/// memory is spent.
+/// Bounds on what a plan may ask of this machine. Real plans stay far below; hostile ones are refused at the bound,
+/// before memory is spent.
 namespace echoway::import {
 
 inline constexpr std::size_t kMaxFileBytes = 32u << 20;     ///< One file, unpacked.

@@ -100,7 +100,8 @@ class Reader {
     for (const OsmId ref : way.nodes) {
       const auto node = document_.nodes.find(ref);
       if (node == document_.nodes.end()) {
-        report_.unresolved(source, "", {}, "node " + std::to_string(ref) + " is not in the file: outline used without it");
+        report_.unresolved(source, "", {},
+                           "node " + std::to_string(ref) + " is not in the file: outline used without it");
         continue;
       }
       path.push_back(node->second.at);
@@ -164,7 +165,8 @@ class Reader {
     if (!area.empty()) place_area(relation.tags, from, area);
   }
 
-  // Of several outlines, the hole is in the one that it lies in. One that lies in none is listed when the plan is cleaned.
+  // Of several outlines, the hole is in the one that it lies in. One that lies in none is listed when the plan is
+  // cleaned.
   static void put_into(Area& area, Path hole) {
     if (hole.empty() || area.empty()) return;
     const auto around = std::find_if(area.begin(), area.end(), [&hole](const geos::Polygon2& polygon) {
@@ -248,7 +250,8 @@ class Reader {
       if (text.empty()) continue;
       const double width = metres(text);
       if (width > 0.0 && width <= kWidestDoor) return width;
-      report_.unresolved(from, "", {}, std::string(key) + "=" + text + " is no door's width in metres: taken as not said");
+      report_.unresolved(from, "", {},
+                         std::string(key) + "=" + text + " is no door's width in metres: taken as not said");
     }
     return 0.0;
   }
@@ -292,7 +295,8 @@ class Reader {
     }
     const auto declare = [&](const Steps& s, LevelLinkKind kind) {
       if (ordinal.count(s.from) == 0 || ordinal.count(s.to) == 0) return;
-      plan_.links.push_back({s.source, kind, {ordinal[s.from], "", s.path.front()}, {ordinal[s.to], "", s.path.back()}});
+      plan_.links.push_back(
+          {s.source, kind, {ordinal[s.from], "", s.path.front()}, {ordinal[s.to], "", s.path.back()}});
     };
     for (const Steps& s : steps_) declare(s, LevelLinkKind::stairs);
     for (const Steps& s : elevators_) declare(s, LevelLinkKind::elevator);

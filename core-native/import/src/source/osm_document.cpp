@@ -39,8 +39,9 @@ class Builder {
     const XML_Status status = XML_Parse(parser_.get(), text.data(), static_cast<int>(text.size()), XML_TRUE);
     if (error_) throw SourceError(*error_);
     if (status != XML_STATUS_OK) {
-      throw SourceError(Error{std::string("is not well-formed XML: ") + XML_ErrorString(XML_GetErrorCode(parser_.get())),
-                              document_.file, line()});
+      throw SourceError(
+          Error{std::string("is not well-formed XML: ") + XML_ErrorString(XML_GetErrorCode(parser_.get())),
+                document_.file, line()});
     }
     if (!saw_osm_) throw SourceError(Error{"is not an OpenStreetMap XML file: no <osm> element", document_.file, 0});
     return std::move(document_);

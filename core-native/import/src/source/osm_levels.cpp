@@ -34,7 +34,9 @@ std::optional<std::vector<double>> parse_osm_levels(const std::string& text) {
       for (double next = *first + 1.0; next <= *last; next += 1.0) levels.push_back(next);
     }
     while (*at == ' ') ++at;
-    if (*at == '\0') return levels.size() <= static_cast<std::size_t>(kMaxLevels) ? std::optional(levels) : std::nullopt;
+    if (*at == '\0') {
+      return levels.size() <= static_cast<std::size_t>(kMaxLevels) ? std::optional(levels) : std::nullopt;
+    }
     if (*at != ';') return std::nullopt;
     ++at;
   }

@@ -8,9 +8,9 @@
 #include "source/source_error.hpp"
 #include "source/source_tree.hpp"
 
-// WRLD Indoor Map Format 1.0.0: main.json names the levels; each level is a FeatureCollection of polygons whose property
-// `type` says what they are. Everything within `building_outline` that is no wall is floor. Optional path files
-// (main-paths.json and one a level) tell names and which levels stairs and elevators join.
+// WRLD Indoor Map Format 1.0.0: main.json names the levels; each level is a FeatureCollection of polygons whose
+// property `type` says what they are. Everything within `building_outline` that is no wall is floor. Optional path
+// files (main-paths.json and one a level) tell names and which levels stairs and elevators join.
 namespace echoway::import {
 namespace {
 

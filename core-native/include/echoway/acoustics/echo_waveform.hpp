@@ -29,8 +29,8 @@ struct Receiver {
   [[nodiscard]] double gain(double time_s) const noexcept;
 };
 
-/// A burst or an echo in quadrature: sample k is the mean over a cell of `period_s` centred at start_s + k period_s; the
-/// pressure is the imaginary part and the modulus is the envelope. Empty when the input made no sense.
+/// A burst or an echo in quadrature: sample k is the mean over a cell of `period_s` centred at start_s + k period_s;
+/// the pressure is the imaginary part and the modulus is the envelope. Empty when the input made no sense.
 struct Waveform {
   double start_s = 0.0;
   double period_s = 0.0;
@@ -41,8 +41,8 @@ struct Waveform {
   [[nodiscard]] double peak() const noexcept;
 };
 
-/// The transmitted burst p(t) = sin^2(pi t/T) exp(2 pi i f t) for 0 <= t <= T = cycles/f, of unit peak, averaged exactly
-/// over every cell. The rise and fall stand for the resonance of the foil.
+/// The transmitted burst p(t) = sin^2(pi t/T) exp(2 pi i f t) for 0 <= t <= T = cycles/f, of unit peak, averaged
+/// exactly over every cell. The rise and fall stand for the resonance of the foil.
 [[nodiscard]] Waveform transmit_pulse(const Transducer& transducer, double period_s);
 
 /// The echo r(t) = p * h_T * h_R (thesis (4.5)) of one element, scaled by reflection_amplitude(). Time counts from the

@@ -9,8 +9,8 @@
 namespace echoway {
 
 /// A response in time, symmetric about its centre, held as its exact integral over each of an odd number of cells:
-/// cell i covers [centre_s + (i - half() - 1/2) period_s, centre_s + (i - half() + 1/2) period_s]. Times are relative to
-/// the centre, so that a far reflector costs no resolution. Empty when the input made no sense.
+/// cell i covers [centre_s + (i - half() - 1/2) period_s, centre_s + (i - half() + 1/2) period_s]. Times are relative
+/// to the centre, so that a far reflector costs no resolution. Empty when the input made no sense.
 struct CellResponse {
   double centre_s = 0.0;
   double period_s = 0.0;           ///< As asked for, or longer: no response has more than kMaxCells cells.

@@ -16,8 +16,8 @@ namespace echoway {
 struct PredictedEcho {
   double range_m = Firing::kNoEcho;  ///< From the transducer's face; kNoEcho when nothing answers.
   ElementKind kind = ElementKind::none;
-  /// Index into the room's walls, corners, edges or reflectors. Jambs that the model added itself at a door's ends count
-  /// on from the room's edges. -1 for `none`.
+  /// Index into the room's walls, corners, edges or reflectors. Jambs that the model added itself at a door's ends
+  /// count on from the room's edges. -1 for `none`.
   std::int32_t index = -1;
 
   [[nodiscard]] bool has_echo() const noexcept { return kind != ElementKind::none; }
@@ -61,16 +61,16 @@ class Directions {
   std::vector<Vec2> unit_;
 };
 
-/// Which echo each sensor of a belt would receive at any pose in one room: the fast stand-in for the waveform model that
-/// the matching uses (thesis section 4.2, Kuc and Siegel 1987).
+/// Which echo each sensor of a belt would receive at any pose in one room: the fast stand-in for the waveform model
+/// that the matching uses (thesis section 4.2, Kuc and Siegel 1987).
 ///
 /// A sensor at face f, `radius` ahead of the wearer's axis in its direction u, hears
 /// - a wall when the perpendicular from f falls on it, within the detection half-angle of u;
 /// - a right-angled corner that it is inside of, and an edge, each within the half-angle for its kind and distance;
 /// - an all-reflective element at its nearest visible point within the beam, at any incidence;
-/// each unless a wall or an all-reflective element stands between, and only from `min_range` to `max_range`. The nearest
-/// answers; on a tie the one listed first above. Open doors neither answer nor block, their jambs are edges; what lies
-/// beyond them is not seen.
+/// each unless a wall or an all-reflective element stands between, and only from `min_range` to `max_range`. The
+/// nearest answers; on a tie the one listed first above. Open doors neither answer nor block, their jambs are edges;
+/// what lies beyond them is not seen.
 ///
 /// Positions are taken to be inside the room. Elsewhere the answer is finite and harmless, but the room's outermost
 /// walls do not block. Immutable once built: any number of threads may share one.

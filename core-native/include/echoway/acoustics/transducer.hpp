@@ -19,7 +19,8 @@ struct Transducer {
 };
 
 /// Directivity of a circular piston, 2 J1(x)/x with x = k R sin(inclination): 1 at 0, first null at 3.8317.
-/// Even in x, within [-0.1323, 1]; absolute error below 1e-14 for |x| < 60 and below 1e-12 beyond. 0 when x is not finite.
+/// Even in x, within [-0.1323, 1]; absolute error below 1e-14 for |x| < 60 and below 1e-12 beyond. 0 when x is not
+/// finite.
 [[nodiscard]] double piston_directivity(double x) noexcept;
 
 }  // namespace echoway

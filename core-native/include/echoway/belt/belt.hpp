@@ -17,7 +17,8 @@ struct BeltConfig {
   double min_range_m = feet(0.5);         ///< 6 in.
   double max_range_m = feet(35.0);
   double range_noise = 0.01;              ///< Standard deviation as a share of the range (1 %).
-  double temperature_c = kReferenceCelsius;  ///< Of the air in which its ranges are right: whose speed of sound it takes.
+  /// Of the air in which its ranges are right: whose speed of sound it takes.
+  double temperature_c = kReferenceCelsius;
 
   /// Direction of sensor `i` relative to the chest, radians in [0, 2 pi).
   [[nodiscard]] double bearing(int i) const noexcept { return kTwoPi * i / sensors; }

@@ -7,9 +7,9 @@ namespace echoway {
 /// Puts the belt's firings on the host's clock.
 ///
 /// Sentences reach the host late and in bursts (serial FIFOs, USB frames), but the belt fires on a regular beat and
-/// numbers its firings. So a firing's time is a line through the sequence numbers that hugs the earliest arrivals: delay
-/// only ever adds. The line's slope starts at the configured slot and follows the belt's real beat, measured between the
-/// least delayed firings of successive blocks.
+/// numbers its firings. So a firing's time is a line through the sequence numbers that hugs the earliest arrivals:
+/// delay only ever adds. The line's slope starts at the configured slot and follows the belt's real beat, measured
+/// between the least delayed firings of successive blocks.
 class FiringClock {
  public:
   /// `slot_s`: the expected time between two firings, > 0.

@@ -27,7 +27,7 @@ struct Room {
   std::vector<Segment> walls;         ///< Plane, specular reflectors (thesis type 1).
   std::vector<Vec2> corners;          ///< Concave right angles: retro-reflectors (type 2).
   std::vector<Vec2> edges;            ///< Convex corners and door jambs: diffract (type 3).
-  std::vector<Segment> reflectors;    ///< All-reflective elements: echo at any incidence (type 4, thesis section 6.2.1).
+  std::vector<Segment> reflectors;    ///< All-reflective elements: echo at any incidence (type 4, thesis 6.2.1).
   Pose2 frame{};                      ///< Takes the room's frame into its level's frame.
 
   /// Closed loops that bound the floor, first the outer one (counter-clockwise), then holes (clockwise); filled by the
@@ -87,7 +87,9 @@ struct Building {
   std::vector<LoopClosure> loop_closures;
 
   /// Whether `i` is one of this building's rooms. False for kNoRoom and for any other number that comes from outside.
-  [[nodiscard]] bool has_room(RoomIndex i) const noexcept { return i >= 0 && static_cast<std::size_t>(i) < rooms.size(); }
+  [[nodiscard]] bool has_room(RoomIndex i) const noexcept {
+    return i >= 0 && static_cast<std::size_t>(i) < rooms.size();
+  }
   [[nodiscard]] RoomIndex find_room(std::string_view id) const noexcept {
     for (std::size_t i = 0; i < rooms.size(); ++i) {
       if (rooms[i].id == id) return static_cast<RoomIndex>(i);

@@ -51,9 +51,9 @@ struct Finding {
   [[nodiscard]] std::string to_string() const { return Error{message, file, line}.to_string(); }
 };
 
-/// Reads `building.cfg` and every `room-R.room` in `dir`, derives corners and edges that a file leaves out, chains rooms
-/// door to door into their level's frame and fills boundaries. Fails with the first finding that makes the building
-/// unusable (docs/formats.md lists them).
+/// Reads `building.cfg` and every `room-R.room` in `dir`, derives corners and edges that a file leaves out, chains
+/// rooms door to door into their level's frame and fills boundaries. Fails with the first finding that makes the
+/// building unusable (docs/formats.md lists them).
 Result<Building> load_building(const std::filesystem::path& dir);
 
 /// All findings of a building folder, the unusable ones first, else in order of file and line.

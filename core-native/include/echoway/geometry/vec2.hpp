@@ -25,8 +25,8 @@ struct Vec2 {
 
 [[nodiscard]] constexpr double squared_norm(Vec2 v) noexcept { return dot(v, v); }
 
-/// sqrt(x^2 + y^2) without overflow or loss for any finite x and y. In place of std::hypot(), whose last bit differs from one
-/// processor's libm to the next; a root and a division do not.
+/// sqrt(x^2 + y^2) without overflow or loss for any finite x and y. In place of std::hypot(), whose last bit differs
+/// from one processor's libm to the next; a root and a division do not.
 [[nodiscard]] inline double hypotenuse(double x, double y) noexcept {
   const double squared = x * x + y * y;
   if (squared > 1e-280 && squared < 1e300) return std::sqrt(squared);

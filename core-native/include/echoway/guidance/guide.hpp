@@ -33,8 +33,8 @@ class Guide {
   ~Guide();
 
   // The wearer's wishes. All answer by a cue too.
-  /// `here`: the room in which the wearer is or said that they are. A destination that nobody is led to from outside its
-  /// room is refused to who is not in there (see Router::check_goal).
+  /// `here`: the room in which the wearer is or said that they are. A destination that nobody is led to from outside
+  /// its room is refused to who is not in there (see Router::check_goal).
   Status set_destination(const Goal& goal, RoutePreferences preferences = {}, RoomIndex here = kNoRoom);
   /// By name: a place, an exit, a room (see Router::find_goal).
   Status set_destination(std::string_view name, RoutePreferences preferences = {}, RoomIndex here = kNoRoom);
@@ -51,24 +51,24 @@ class Guide {
   /// Looks for things in the way; the estimate taken is the newest one.
   void on_firing(const Firing& firing);
   void on_belt_health(const BeltHealth& health, double now_s);
-  /// The locator starts over: whatever followed from where the wearer was taken to be is forgotten, the breadcrumbs too. A
-  /// destination is kept and the way there told anew from the next estimate; a way back ends.
+  /// The locator starts over: whatever followed from where the wearer was taken to be is forgotten, the breadcrumbs
+  /// too. A destination is kept and the way there told anew from the next estimate; a way back ends.
   void on_restart();
 
   /// Takes the next cue to be spoken; false when there is none.
   bool next_cue(Cue& cue);
-  /// Set once each time the wearer is sent over stairs or into an elevator, and once they are found where it leads: pass it
-  /// to the locator.
+  /// Set once each time the wearer is sent over stairs or into an elevator, and once they are found where it leads:
+  /// pass it to the locator.
   [[nodiscard]] std::optional<LevelTransition> take_level_transition();
 
-  /// True once each time something speaks against a place that the locator found and nobody told, or it has yet to be proved:
-  /// the wearer gets nowhere though the plan has a way, meets a wall where the door should be, or has reached their destination
-  /// in the room where they were found. Pass it on to the locator, they may be elsewhere.
+  /// True once each time something speaks against a place that the locator found and nobody told, or it has yet to be
+  /// proved: the wearer gets nowhere though the plan has a way, meets a wall where the door should be, or has reached
+  /// their destination in the room where they were found. Pass it on to the locator, they may be elsewhere.
   [[nodiscard]] bool take_doubt();
 
   [[nodiscard]] bool has_destination() const;
-  /// Whether a way leads to the destination from a room, and from `at` in it where that is known (see Router::check_way);
-  /// success without a destination.
+  /// Whether a way leads to the destination from a room, and from `at` in it where that is known (see
+  /// Router::check_way); success without a destination.
   [[nodiscard]] Status check_way(RoomIndex room, std::optional<Vec2> at) const;
   /// Distance of the nearest thing in the way that no plan knows, metres from the chest; negative without one.
   [[nodiscard]] double obstacle_ahead_m() const;

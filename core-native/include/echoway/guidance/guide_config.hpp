@@ -26,7 +26,7 @@ struct GuideConfig {
   double found_after_s = 0.9;
   double steady_lost_after_s = 30.0;  ///< The same where only the echoes do not fit and the place goes on steadily.
   double relapse_s = 40.0;            ///< Lost again so soon after it was found: the next find must last twice as long.
-  double settle_s = 2.0;              ///< A place that has jumped must hold this long before the way is told from there.
+  double settle_s = 2.0;              ///< A place that has jumped must hold so long before the way is told from there.
   double vague_sigma_m = 0.6;         ///< Above: only coarse instructions.
   double vague_probability = 0.8;
   double probe_gap_s = 9.0;           ///< After a request to turn, while lost, until the next request;
@@ -45,7 +45,7 @@ struct GuideConfig {
   double nudge_s = 11.0;              ///< A wearer who stands still on a way is told again after this.
   double stairs_patience_s = 45.0;    ///< Echoes need not fit for this long once stairs are taken.
   double elevator_patience_s = 120.0;
-  double unasked_share = 0.6;         ///< Of that for wearers who are at stairs or an elevator without being sent there.
+  double unasked_share = 0.6;         ///< Of that for wearers at stairs or an elevator to which they were not sent.
 
   // Obstacles.
   double obstacle_m = 1.2;            ///< Tell of them from this far when standing; further when walking.

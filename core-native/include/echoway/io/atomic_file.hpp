@@ -53,8 +53,8 @@ class AtomicFile {
   int error_ = 0;                    ///< errno of the first failure.
 };
 
-/// The open file that a path is another name of, by its number: 1 for /dev/stdout, 3 for /dev/fd/3 and /proc/self/fd/3, also
-/// through links to these; none for any other path. Whether it is open is not looked at.
+/// The open file that a path is another name of, by its number: 1 for /dev/stdout, 3 for /dev/fd/3 and /proc/self/fd/3,
+/// also through links to these; none for any other path. Whether it is open is not looked at.
 [[nodiscard]] std::optional<int> descriptor_named_by(const std::filesystem::path& file);
 
 /// Writes `text` as the whole of a file, all of it or nothing.

@@ -54,8 +54,8 @@ class Locator {
   /// Whether somebody leads the wearer to a destination from now on: who is led takes stairs only when told to.
   virtual void on_led(bool /*led*/) {}
 
-  /// The wearer may not be where estimate() says (see Guide::take_doubt): other places are to be looked for. Evidence, not a
-  /// fact.
+  /// The wearer may not be where estimate() says (see Guide::take_doubt): other places are to be looked for. Evidence,
+  /// not a fact.
   virtual void on_doubt() {}
 
   [[nodiscard]] virtual const Estimate& estimate() const = 0;

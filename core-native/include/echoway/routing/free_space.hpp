@@ -34,7 +34,9 @@ class FreeSpace {
   [[nodiscard]] bool contains(Vec2 p) const noexcept;
 
   /// Distance to the nearest solid, at most `limit`.
-  [[nodiscard]] double clearance(Vec2 p, double limit = 1e9) const noexcept { return solids_.nearest(p, limit).distance; }
+  [[nodiscard]] double clearance(Vec2 p, double limit = 1e9) const noexcept {
+    return solids_.nearest(p, limit).distance;
+  }
   [[nodiscard]] SegmentTree::Nearest nearest_solid(Vec2 p, double limit = 1e9) const noexcept {
     return solids_.nearest(p, limit);
   }

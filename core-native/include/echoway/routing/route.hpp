@@ -23,7 +23,8 @@ struct RouterConfig {
   double door_run_up_m = 0.8;      ///< Straight towards a door's centre over this length where there is room for it.
   double stairs_cost_m = 12.0;     ///< Metres of level walking that a flight of stairs counts for.
   double elevator_cost_m = 25.0;   ///< The same for an elevator, waiting included.
-  double avoided_cost_m = 10000.0; ///< Added per flight when stairs are to be avoided: taken only if nothing else leads there.
+  /// Added per flight when stairs are to be avoided: taken only if nothing else leads there.
+  double avoided_cost_m = 10000.0;
 };
 
 /// A spot in a building.
@@ -76,7 +77,8 @@ struct Route {
   std::vector<Waypoint> waypoints;
   double length_m = 0.0;     ///< Walked, stairs counted with their configured cost.
   double cost = 0.0;         ///< What was minimised: length with narrow places and avoided stairs counting for more.
-  double clearance_m = 0.0;  ///< The least that it keeps from walls, doorways apart. Below the first step: a narrow place. 0 without a way.
+  /// The least that it keeps from walls, doorways apart. Below the first step: a narrow place. 0 without a way.
+  double clearance_m = 0.0;
   bool uses_stairs = false;
   bool uses_elevator = false;
   Goal goal{};               ///< What it leads to; for nearest_exit the exit that was chosen.

@@ -14,7 +14,8 @@
 
 namespace echoway {
 
-/// Costs to one goal from every node of a router's graph. Made once a goal; then a way from anywhere takes microseconds.
+/// Costs to one goal from every node of a router's graph. Made once a goal; then a way from anywhere takes
+/// microseconds.
 struct RouteTree {
   struct Target {
     Goal goal{};
@@ -25,12 +26,14 @@ struct RouteTree {
   std::vector<Target> targets;
   std::vector<double> cost;        ///< By node; infinity where nothing leads to the goal.
   std::vector<std::int32_t> next;  ///< By node: the next node, or -1 - i for targets[i].
-  std::vector<std::int32_t> way_out;  ///< By node: itself or the first after it that is a door or the end of a link; -1: none.
+  /// By node: itself or the first after it that is a door or the end of a link; -1: none.
+  std::vector<std::int32_t> way_out;
 };
 
-/// Finds shortest safe ways in a building: inside the free space at the walker's half-width (see FreeSpace), through the
-/// centres of doors, over stairs and elevators. Exact on polygons but for the arcs about
-/// corners: never longer than the shortest way of a walker 8.3 % broader. Where the preferred clearance cannot be had it falls back, step by step, to RouterConfig's last one.
+/// Finds shortest safe ways in a building: inside the free space at the walker's half-width (see FreeSpace), through
+/// the centres of doors, over stairs and elevators. Exact on polygons but for the arcs about corners: never longer than
+/// the shortest way of a walker 8.3 % broader. Where the preferred clearance cannot be had it falls back, step by step,
+/// to RouterConfig's last one.
 ///
 /// REQUIRES: the building outlives the router and does not change. Immutable after construction.
 class Router {
@@ -49,16 +52,17 @@ class Router {
   /// The costs to `goal` from everywhere. Fails when the goal does not exist or the building has none of its kind.
   [[nodiscard]] Result<RouteTree> tree_to(const Goal& goal, RoutePreferences preferences = {}) const;
 
-  /// Whether anybody can be led to the goal of `tree`: from another room, or from within for who stands in `here` (kNoRoom:
-  /// nobody knows) or in a building of one room. Fails, naming the room and the doors that close it, when nobody can.
+  /// Whether anybody can be led to the goal of `tree`: from another room, or from within for who stands in `here`
+  /// (kNoRoom: nobody knows) or in a building of one room. Fails, naming the room and the doors that close it, when
+  /// nobody can.
   [[nodiscard]] Status check_goal(const RouteTree& tree, RoomIndex here = kNoRoom) const;
 
-  /// Whether a way leads along `tree` from `at` in `room`, or from anywhere in it when that is not known. Fails, naming the
-  /// rooms and what is between them, when none does. REQUIRES: the building has the room.
+  /// Whether a way leads along `tree` from `at` in `room`, or from anywhere in it when that is not known. Fails, naming
+  /// the rooms and what is between them, when none does. REQUIRES: the building has the room.
   [[nodiscard]] Status check_way(RoomIndex room, std::optional<Vec2> at, const RouteTree& tree) const;
 
-  /// The way from `from` along `tree` into `route`, whose buffers are reused. Fails, leaving `route` empty, when no safe
-  /// way leads there. A start inside a wall is taken for the free point beside it.
+  /// The way from `from` along `tree` into `route`, whose buffers are reused. Fails, leaving `route` empty, when no
+  /// safe way leads there. A start inside a wall is taken for the free point beside it.
   Status route_from(const Spot& from, const RouteTree& tree, Route& route, const BoundFor& bound_for = {}) const;
 
   /// tree_to() and route_from() in one.

@@ -18,8 +18,8 @@ namespace echoway {
 /// Where along `origin + t * unit`, t >= 0, the ray first meets `s`, metres; infinity when it does not.
 [[nodiscard]] double ray_distance(Vec2 origin, Vec2 unit, const Segment& s) noexcept;
 
-/// A bounding-volume hierarchy over segments: nearest, ray and "anything this close?" queries in O(log n) for plans that
-/// are not pathological. Immutable after construction; queries allocate nothing.
+/// A bounding-volume hierarchy over segments: nearest, ray and "anything this close?" queries in O(log n) for plans
+/// that are not pathological. Immutable after construction; queries allocate nothing.
 class SegmentTree {
  public:
   SegmentTree() = default;

@@ -25,8 +25,8 @@ struct ExplainedEcho {
 /// Names what in the plan explains a belt's readings: for a picture of the belt, not for locating.
 ///
 /// Of everything mapped that the wearer's room shows, its open doors included, that lies within a sensor's beam and is
-/// not hidden, it takes the nearest whose distance agrees with the reading. A corner that is heard by way of a wall counts
-/// as that corner. The beam is widened and the agreement loosened by how well the pose is known.
+/// not hidden, it takes the nearest whose distance agrees with the reading. A corner that is heard by way of a wall
+/// counts as that corner. The beam is widened and the agreement loosened by how well the pose is known.
 ///
 /// REQUIRES: the building outlives the explainer. Never throws after construction, never allocates.
 class EchoExplainer {

@@ -16,21 +16,25 @@ struct EchoSources {
   std::size_t all_reflective = 0;
   std::size_t mirrored_corners = 0;  ///< Corners that are heard by way of a wall.
 
-  [[nodiscard]] std::size_t total() const noexcept { return walls + corners + edges + all_reflective + mirrored_corners; }
+  [[nodiscard]] std::size_t total() const noexcept {
+    return walls + corners + edges + all_reflective + mirrored_corners;
+  }
 };
 
-/// What the estimator leaves out of one room's echoes because nobody in the room can tell, and what that saves. A place is a
-/// square of the floor, usually half a metre wide; means are over the room's places and all directions.
+/// What the estimator leaves out of one room's echoes because nobody in the room can tell, and what that saves. A place
+/// is a square of the floor, usually half a metre wide; means are over the room's places and all directions.
 struct RoomSavings {
   RoomIndex room = kNoRoom;
   EchoSources within_reach;         ///< All that the plan has in the room and beyond up to two open doors.
-  EchoSources heard;                ///< Of these what somebody on some place of the room can hear. The rest is left out; a
-                                    ///< kind without any is never worked out in this room.
+  EchoSources heard;                ///< Of these what somebody on some place of the room can hear. The rest is left
+                                    ///< out; a kind without any is never worked out in this room.
   std::size_t sight_blockers = 0;   ///< Walls and all-reflective elements, beyond doors too, that may hide something.
   double listed = 0.0;              ///< Mean number that one place keeps, for all directions.
   double looked_at = 0.0;           ///< Mean number that one firing looks at.
-  double sight_tests = 0.0;         ///< Mean number of tests whether something stands in between; else looked_at * sight_blockers.
-  double plain_floor = 0.0;         ///< Share of the places from where nobody can leave the room: no doors are looked at there.
+  double sight_tests = 0.0;         ///< Mean number of tests whether something stands in between; else
+                                    ///< looked_at * sight_blockers.
+  double plain_floor = 0.0;         ///< Share of the places from where nobody can leave the room: no doors are looked
+                                    ///< at there.
 };
 
 struct SceneReport {

@@ -49,7 +49,7 @@ struct ThesisParameters {
   // Search with an unknown start: the thesis has none (it "starts with the approximate initial user pose").
   double search_spacing_m = feet(1.0);       ///< Of the grid over a whole room.
   double search_heading_spacing_rad = degrees(6.0);
-  int search_candidates = 1'500'000;         ///< The grid is coarsened so that the building needs no more poses than this.
+  int search_candidates = 1'500'000;         ///< The grid is coarsened so that the building needs no more poses.
   int hypotheses = 12;                       ///< Places kept while several explain the echoes.
   double unique_margin_m = 0.12;             ///< A place stands out when the next best is worse by this much, over the
                                              ///< number of scans compared.

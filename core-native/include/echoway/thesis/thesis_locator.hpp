@@ -9,9 +9,9 @@
 
 namespace echoway {
 
-/// The thesis's method (chapter 5): every two passes of the belt are averaged into a scan, the scan is matched with what
-/// the belt would read at postulated poses, and the best match is the estimate; rooms next door are tried near an exit.
-/// See docs/thesis-method.md for what the thesis leaves open.
+/// The thesis's method (chapter 5): every two passes of the belt are averaged into a scan, the scan is matched with
+/// what the belt would read at postulated poses, and the best match is the estimate; rooms next door are tried near an
+/// exit. See docs/thesis-method.md for what the thesis leaves open.
 ///
 /// - estimate() is renewed once a scan; its time is the mean time of the scan's firings, the moment that it is about.
 /// - With room, position and heading given it tracks from the first scan on, as the thesis does. Otherwise it first

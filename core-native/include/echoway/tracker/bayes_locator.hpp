@@ -23,16 +23,16 @@ struct TrackerParts {
 
 struct BayesOptions {
   std::uint64_t seed = 1;
-  /// Particles while the wearer's place is known, with and without a gyroscope. The tracker takes more by itself for one
-  /// who walks fast and while the place is uncertain.
+  /// Particles while the wearer's place is known, with and without a gyroscope. The tracker takes more by itself for
+  /// one who walks fast and while the place is uncertain.
   int particles = 80;
   int particles_without_gyroscope = 800;
   TrackerParts parts{};
 };
 
-/// The default method: a Rao-Blackwellised particle filter over room, position, heading, speed and sound-speed scale for
-/// the whole building, renewed at every firing (docs/tracker.md). Starts from a pose, a room or nothing; notices that it
-/// is wrong and searches the building again.
+/// The default method: a Rao-Blackwellised particle filter over room, position, heading, speed and sound-speed scale
+/// for the whole building, renewed at every firing (docs/tracker.md). Starts from a pose, a room or nothing; notices
+/// that it is wrong and searches the building again.
 class BayesLocator final : public Locator {
  public:
   /// Keeps a reference to `building`, which must outlive the locator. All memory is reserved here.

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kNearest = 0.02;                // Things closer to the face than this count as this far, metres.
 constexpr double kFaintest = 0.1;                // Share of the threshold below which a path is not worth its while.
-constexpr double kFan = degrees(20.0);           // Planes serve as mirrors up to this far off the axis of a belt's beam,
-constexpr double kInsideNull = degrees(5.0);     // or to this far inside the first null of a wider one;
+constexpr double kFan = degrees(20.0);           // Planes serve as mirrors so far off the axis of a belt's beam,
+constexpr double kInsideNull = degrees(5.0);     // or to so far inside the first null of a wider one;
 constexpr double kFanStep = degrees(1.0);        // they are found by rays so far apart.
 constexpr double kDirectBeam = degrees(70.0);    // Other rooms are heard when their doorway lies so near the axis,
 constexpr double kBesideFan = degrees(5.0);      // by way of a mirror, this near to the fan.

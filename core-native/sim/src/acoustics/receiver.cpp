@@ -25,11 +25,12 @@ constexpr std::array<double, 11> kGainSteps{2.38e-3,  5.12e-3,  7.87e-3,  10.61e
 
 double from_db(double db) { return std::pow(10.0, db / 20.0); }
 
-// The complementary error function to 1.5e-7 (Abramowitz and Stegun 7.1.26). Not libm's, whose last bits differ from one
-// processor to the next.
+// The complementary error function to 1.5e-7 (Abramowitz and Stegun 7.1.26). Not libm's, whose last bits differ from
+// one processor to the next.
 double erfc_about(double x) noexcept {
   const double t = 1.0 / (1.0 + 0.3275911 * std::fabs(x));
-  const double series = t * (0.254829592 + t * (-0.284496736 + t * (1.421413741 + t * (-1.453152027 + t * 1.061405429))));
+  const double series =
+      t * (0.254829592 + t * (-0.284496736 + t * (1.421413741 + t * (-1.453152027 + t * 1.061405429))));
   const double tail = series * std::exp(-x * x);
   return x < 0.0 ? 2.0 - tail : tail;
 }

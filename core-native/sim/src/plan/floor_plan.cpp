@@ -36,7 +36,9 @@ std::vector<std::vector<Passage>> find_passages(const Building& building,
 
 Status check_floors(const Building& building) {
   for (const Room& room : building.rooms) {
-    if (!RoomGrid::fits(room)) return Error{"room " + room.id + " is too large to be simulated; check the units of the building"};
+    if (!RoomGrid::fits(room)) {
+      return Error{"room " + room.id + " is too large to be simulated; check the units of the building"};
+    }
   }
   return success();
 }

@@ -72,7 +72,8 @@ namespace stairs {
 
 std::vector<Vec2> path(bool up, int hand) {
   const double lane = hand * kLane;
-  std::vector<Vec2> points{{0.0, 0.0}, {kRun, 0.0}, {kRun + kTurnIn, 0.0}, {kRun + kTurnIn, lane}, {kRun, lane}, {0.0, lane}};
+  std::vector<Vec2> points{{0.0, 0.0},   {kRun, 0.0}, {kRun + kTurnIn, 0.0}, {kRun + kTurnIn, lane},
+                           {kRun, lane}, {0.0, lane}};
   if (!up) std::reverse(points.begin(), points.end());
   return points;
 }

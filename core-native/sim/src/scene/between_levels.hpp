@@ -10,7 +10,8 @@
 namespace echoway::sim {
 
 /// Where a wearer is who is on stairs or in an elevator, of which a plan shows but the two ends. Stairs have a frame of
-/// their own: the origin where the first flight begins, x along it. A cabin's origin is its middle, x away from its door.
+/// their own: the origin where the first flight begins, x along it. A cabin's origin is its middle, x away from its
+/// door.
 struct BetweenLevels {
   bool present = false;
   LevelLinkKind kind = LevelLinkKind::stairs;
@@ -36,8 +37,8 @@ inline constexpr double kRun = kTreads * kGoing;
 [[nodiscard]] bool on_flight(Vec2 at) noexcept;
 }  // namespace stairs
 
-/// What the belt hears there: the walls of the stairwell, balusters, and the risers that stand as high as the belt, which
-/// come nearer and go as the wearer climbs; or the walls of a cabin.
+/// What the belt hears there: the walls of the stairwell, balusters, and the risers that stand as high as the belt,
+/// which come nearer and go as the wearer climbs; or the walls of a cabin.
 class BetweenLevelsViews {
  public:
   explicit BetweenLevelsViews(const World& world) : world_(world) {}

@@ -28,8 +28,12 @@ class Parser {
     if (words.empty()) return success();
     const std::string keyword = words.keyword();
     const Reader header = header_of(keyword);
-    if (header != nullptr && started()) return words.error("`" + keyword + "` is about the whole walk; put it before `start`");
-    if (Status status = header != nullptr ? (this->*header)(words) : action(keyword, words); !status.ok()) return status;
+    if (header != nullptr && started()) {
+      return words.error("`" + keyword + "` is about the whole walk; put it before `start`");
+    }
+    if (Status status = header != nullptr ? (this->*header)(words) : action(keyword, words); !status.ok()) {
+      return status;
+    }
     return words.finish();
   }
 
@@ -45,8 +49,8 @@ class Parser {
 
   using Reader = Status (Parser::*)(Words&);
 
-  // Reads what is said about the whole walk; null for any other keyword. Later in the file such a line would be taken for
-  // something that happens from there on.
+  // Reads what is said about the whole walk; null for any other keyword. Later in the file such a line would be taken
+  // for something that happens from there on.
   static Reader header_of(std::string_view keyword) {
     static constexpr std::array<std::pair<std::string_view, Reader>, 6> kHeaders{{{"building", &Parser::building},
                                                                                   {"seed", &Parser::seed},

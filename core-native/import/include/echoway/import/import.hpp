@@ -27,9 +27,9 @@ struct ImportedBuilding {
 /// import fails. Errors name file and feature; they never leave a half-made building.
 Result<ImportedBuilding> import_building(SourceFormat format, const std::filesystem::path& source, Report& report);
 
-/// Writes an imported building as a folder, with the corners, edges and door jambs that the loader derives from its walls.
-/// Everything is written and checked elsewhere first: `dir` receives a building that loads, or nothing. `findings` receives
-/// what the check warns of.
+/// Writes an imported building as a folder, with the corners, edges and door jambs that the loader derives from its
+/// walls. Everything is written and checked elsewhere first: `dir` receives a building that loads, or nothing.
+/// `findings` receives what the check warns of.
 Status write_imported(const Building& building, const std::filesystem::path& dir, std::vector<Finding>& findings);
 
 /// `wrld`, `imdf` or `osm`.

@@ -12,9 +12,9 @@ struct LonLat {
   friend constexpr bool operator==(const LonLat&, const LonLat&) = default;
 };
 
-/// Longitude and latitude to metres east (x) and north (y) of an origin: the local tangent plane of the WGS 84 ellipsoid
-/// (Hofmann-Wellenhof, Lichtenegger, Wasle, "GNSS", section 8.2.2: geodetic to Cartesian, then rotated into east, north,
-/// up at the origin).
+/// Longitude and latitude to metres east (x) and north (y) of an origin: the local tangent plane of the WGS 84
+/// ellipsoid (Hofmann-Wellenhof, Lichtenegger, Wasle, "GNSS", section 8.2.2: geodetic to Cartesian, then rotated into
+/// east, north, up at the origin).
 ///
 /// Guarantees: distances from the origin differ from the geodesic by less than d^3 / (6 R^2), one micrometre at 500 m;
 /// distances between any two points within 500 m of the origin by less than 10 micrometres.

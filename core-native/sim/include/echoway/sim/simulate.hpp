@@ -19,8 +19,8 @@ struct Simulation {
 };
 
 /// Sends a wearer through `building` as `walk` says. The same building, walk and seed give the same bytes.
-/// Fails when the walk names a room that does not exist, a place outside its room, or one that cannot be reached, and when
-/// a room is more than half a kilometre large.
+/// Fails when the walk names a room that does not exist, a place outside its room, or one that cannot be reached, and
+/// when a room is more than half a kilometre large.
 Result<Simulation> simulate(const Building& building, const Walk& walk, std::uint64_t seed);
 
 /// The same with the walk's own seed.

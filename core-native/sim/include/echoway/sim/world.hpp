@@ -66,7 +66,8 @@ struct World {
   double gyro_bias_rad_s = degrees(0.5);
   double gyro_noise_rad_s = degrees(0.5);
   double gyro_rate_hz = 25.0;
-  double phone_swing_rad = 0.0;  ///< Amplitude by which the phone swings about the vertical with each stride, as on a thigh.
+  /// Amplitude by which the phone swings about the vertical with each stride, as on a thigh.
+  double phone_swing_rad = 0.0;
   double heading_offset_rad = degrees(8.0);
   double heading_drift_rad_s = degrees(0.05);
 };
