@@ -4,12 +4,14 @@
 #include <cmath>
 #include <optional>
 
+#include "echoway/units.hpp"
+
 namespace echoway::guidance {
 namespace {
 
-constexpr double kPlay = 0.2;    ///< Metres.
+constexpr double kPlay = 0.2;       ///< Metres.
 constexpr double kFarBeyond = 0.7;  ///< What is heard so far beyond a door's wall is in the next room, metres.
-constexpr double kLasts = 90.0;  ///< What was met says where the wearer is for so long, s.
+constexpr double kLasts = 90.0;     ///< What was met says where the wearer is for so long, s.
 
 /// Whether who goes from `from` to `ahead` can have met the frame that they were about to pass.
 bool may_meet(const Doorway& doorway, Vec2 from, Vec2 ahead) noexcept {
@@ -47,10 +49,8 @@ void MetFrame::weigh(const Doorway& doorway, const Pose2& taken, double now) noe
   const double half = 0.5 * doorway.width();
   const Vec2 ahead = unit_from_angle(taken.heading);
   const double slope = dot(ahead, doorway.through());
-  const double near = doorway.before(taken.position);
-  const auto echo = heard_->toward(wrap_angle(doorway.axis() - taken.heading), now);
   const bool wall = hears_wall(doorway, taken, now);
-  const bool through = echo && *echo > near + kFarBeyond;
+  const bool through = hears_beyond(doorway, taken, now);
   double sum = 0.0;
   for (std::size_t i = 0; i < kOffsets; ++i) {
     const Vec2 from = taken.position + offset(i) * along_;
@@ -117,6 +117,12 @@ bool MetFrame::hears_wall(const Doorway& doorway, const Pose2& pose, double now)
   return echo && *echo < doorway.before(pose.position) + kPlay;
 }
 
+/// Whether what answers right before the wearer, where the plan has the opening, is in the room behind it.
+bool MetFrame::hears_beyond(const Doorway& doorway, const Pose2& pose, double now) const noexcept {
+  const auto echo = heard_->toward(wrap_angle(doorway.axis() - pose.heading), now);
+  return echo && *echo > doorway.before(pose.position) + kFarBeyond;
+}
+
 bool MetFrame::hears_through(const View& view, const Way& way, double direction) const noexcept {
   constexpr double kNearest = 0.4;              // metres from the door's wall: who stands nearer may not hear it
   constexpr double kFarthest = 1.3;             // nor does it fill a sensor's beam from farther away
@@ -127,8 +133,7 @@ bool MetFrame::hears_through(const View& view, const Way& way, double direction)
   const double near = doorway->before(pose.position);
   const double through = wrap_angle(doorway->axis() - pose.heading);
   if (near < kNearest || near > kFarthest || std::abs(wrap_angle(through - direction)) > kAslant) return false;
-  const auto echo = heard_->toward(through, view.now);
-  return echo && *echo > near + kFarBeyond;
+  return hears_beyond(*doorway, pose, view.now);
 }
 
 void MetFrame::watch(const Estimate& e, bool walking) noexcept {

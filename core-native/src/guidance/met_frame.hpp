@@ -31,7 +31,8 @@ class MetFrame {
   /// The same of who is about to go there, is taken to be right before the opening, and hears a wall there.
   [[nodiscard]] bool hear(const View& view, const Way& way);
   /// Whether the belt hears the next room through the way's next doorway. The wearer stands before it and is to go
-  /// `direction` from the chest, about straight through: they are before the opening, for a wall there would answer sooner.
+  /// `direction` (rad from the chest), about straight through: they are before the opening, for a wall there would
+  /// answer sooner.
   [[nodiscard]] bool hears_through(const View& view, const Way& way, double direction) const noexcept;
   /// What was found holds while the place goes on as the wearer does: one that moves although they stand was wrong before.
   void watch(const Estimate& estimate, bool walking) noexcept;
@@ -48,6 +49,7 @@ class MetFrame {
   [[nodiscard]] std::optional<Doorway> next_doorway(RoomIndex room, const Way& way) const noexcept;
   void begin(const Doorway& doorway, std::int32_t door, const Estimate& e) noexcept;
   [[nodiscard]] bool hears_wall(const Doorway& doorway, const Pose2& pose, double now) const noexcept;
+  [[nodiscard]] bool hears_beyond(const Doorway& doorway, const Pose2& pose, double now) const noexcept;
   void weigh(const Doorway& doorway, const Pose2& taken, double now) noexcept;
   void settle() noexcept;
   /// Whether something is known of that door's frame already, and where the tracker alone has them.

@@ -164,8 +164,8 @@ class BayesLocator::Core {
   int near_in_a_row_ = 0;           ///< Firings in a row that heard something within arm's reach.
   bool gyro_ = false;
   double pace_ = 0.55;              ///< Usual walking speed, learnt.
-  double step_length_ = 0.65;       ///< Metres of a usual step, learnt
-  double step_firings_ = 0.0;       ///< from so many firings.
+  double step_length_ = 0.65;       ///< Metres of a usual step, learnt.
+  double step_firings_ = 0.0;       ///< Firings that it was learnt from, kMostFirings at most.
   double log_scale_ = 0.0;
   double log_scale_sigma_ = 0.0;
   int fruitless_ = 0;               ///< Searches since a place was last taken for granted, each wider than the one before.

@@ -11,8 +11,8 @@ using namespace tracker;
 namespace {
 
 constexpr double kPaceGain = 1.0 / 64.0;          // Per firing: four seconds of walking.
-constexpr double kQuickFirings = 64.0;            // Of walking, over which the length of a step is learnt first:
-constexpr double kMostFirings = 160.0;            // four seconds, and ten once so many were heard.
+constexpr double kQuickFirings = 64.0;            // Of walking, over which a step's length is averaged at first: 4 s,
+constexpr double kMostFirings = 160.0;            // and at last, once so many were heard: 10 s.
 constexpr double kSharpSteps = 0.3;               // Metres: a place blurred by more does not tell how far a step led.
 constexpr double kShortestStep = 0.25;            // Metres.
 constexpr double kLongestStep = 1.1;

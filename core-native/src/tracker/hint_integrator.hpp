@@ -71,9 +71,9 @@ class HintIntegrator {
 
   double clock_ = 0.0;
   bool clock_set_ = false;
-  double turn_ = 0.0;                ///< Since the interval began,
-  double turned_ = 0.0;              ///< before that,
-  double turn_at_step_ = 0.0, turn_at_step_before_ = 0.0;   ///< and in all, at the last steps.
+  double turn_ = 0.0;                ///< Radians since the interval began.
+  double turned_ = 0.0;              ///< Radians in all intervals before.
+  double turn_at_step_ = 0.0, turn_at_step_before_ = 0.0;   ///< Both together, at the last step and the one before it.
   double rate_ = 0.0;
   double held_ = 0.0;                ///< Of it, counted since the last reading by holding that one.
   double first_rate_time_ = 0.0;
@@ -84,7 +84,7 @@ class HintIntegrator {
   StillRate still_;
 
   double last_step_ = -1e300;
-  double step_interval_ = 0.0;       ///< Smoothed; 0 before two steps.
+  double step_interval_ = 0.0;       ///< Seconds between steps that led on, smoothed; 0 before two.
   static constexpr std::size_t kIntervals = 5;
   std::array<double, kIntervals> intervals_{};   ///< Seconds between the last steps that led on.
   std::size_t interval_count_ = 0;

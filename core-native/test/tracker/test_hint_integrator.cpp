@@ -52,7 +52,7 @@ TEST(HintIntegrator, TellThePaceAnewAfterStairs) {
   EXPECT_EQ(hints.cadence(3.1), 0.0);
   for (const double t : {4.0, 5.2, 6.4}) hints.on_hint({t, MotionKind::step, 1.0});
   (void)hints.close(6.5, 1.0 / 16.0);
-  EXPECT_NEAR(hints.cadence(6.5), 1.0 / 1.2, 0.1);
+  EXPECT_NEAR(hints.cadence(6.5), 1.0 / 1.2, 1e-9);
 }
 
 TEST(HintIntegrator, TellNoPaceOfWhoStandsOrHasJustSetOut) {
