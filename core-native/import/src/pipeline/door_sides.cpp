@@ -14,11 +14,6 @@ constexpr double kInset = 1e-3;  // metres; a look this far inside a cell is cer
 
 }  // namespace
 
-bool DoorSides::joins_two() const noexcept {
-  if (has(Kind::blocked) || !has(Kind::cell)) return false;
-  return front.kind != back.kind || front.cell != back.cell;
-}
-
 DoorLooker::DoorLooker(const LevelFloor& floor) : floor_(floor), enclosed_(geos::fill_holes(floor.inside)) {}
 
 DoorSides DoorLooker::within(const DoorCandidate& door, double reach) const {
@@ -48,15 +43,14 @@ DoorSide DoorLooker::look(const DoorCandidate& door, Vec2 n, double reach) const
     looks[static_cast<std::size_t>(i + 1)] = look_from(door.centre + (0.25 * i * door.width) * door.along, n, reach);
   }
   const auto votes = [&](const DoorSide& s) {
-    return std::count_if(looks.begin(), looks.end(),
-                         [&](const DoorSide& t) { return t.kind == s.kind && t.cell == s.cell; });
+    return std::count_if(looks.begin(), looks.end(), [&](const DoorSide& t) { return same_beyond(s, t); });
   };
   DoorSide best = looks[1];
   for (const DoorSide& s : looks) {
     if (votes(s) > votes(best) || (best.kind == Kind::blocked && s.kind != Kind::blocked)) best = s;
   }
   for (const DoorSide& s : looks) {
-    if (s.kind == best.kind && s.cell == best.cell) best.distance = std::min(best.distance, s.distance);
+    if (same_beyond(s, best)) best.distance = std::min(best.distance, s.distance);
   }
   return best;
 }

@@ -25,11 +25,21 @@ struct DoorSide {
   double distance = 0.0;  ///< Metres from the door's centre to where the cell begins, or as far as was looked.
 };
 
+/// Whether two looks saw the same, however far off.
+[[nodiscard]] constexpr bool same_beyond(const DoorSide& a, const DoorSide& b) noexcept {
+  return a.kind == b.kind && a.cell == b.cell;
+}
+
 struct DoorSides {
   DoorSide front, back;  ///< Towards perpendicular(along), and behind.
 
+  [[nodiscard]] bool within_one_cell() const noexcept {
+    return front.kind == DoorSide::Kind::cell && same_beyond(front, back);
+  }
   /// A room with another, with the outside or with a court.
-  [[nodiscard]] bool joins_two() const noexcept;
+  [[nodiscard]] bool joins_two() const noexcept {
+    return has(DoorSide::Kind::cell) && !has(DoorSide::Kind::blocked) && !within_one_cell();
+  }
   [[nodiscard]] bool has(DoorSide::Kind kind) const noexcept { return front.kind == kind || back.kind == kind; }
 };
 

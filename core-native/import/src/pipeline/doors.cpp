@@ -14,7 +14,6 @@ namespace echoway::import {
 namespace {
 
 using geos::Shape;
-
 using Kind = DoorSide::Kind;
 
 constexpr double kDefaultWidth = feet(3.0);  // when the plan gives a point only (as in the building format)
@@ -36,9 +35,7 @@ int worth(const DoorSides& sides, bool way_out) {
     if (side.kind == Kind::blocked) return 0;
     return way_out ? 3 : 1;
   };
-  const bool same = sides.front.kind == Kind::cell && sides.back.kind == Kind::cell &&
-                    sides.front.cell == sides.back.cell;
-  return of_side(sides.front) + of_side(sides.back) - (same ? 2 : 0);
+  return of_side(sides.front) + of_side(sides.back) - (sides.within_one_cell() ? 2 : 0);
 }
 
 // A place on a wall where a door may be.
@@ -66,8 +63,7 @@ class Placer {
       return unresolved(door, middle_of(door), beside_a_wall(middle_of(door)) ? kLeadsNowhere
                                                                               : "stands off every wall: left out");
     }
-    const DoorSides& sides = place->sides;
-    if (sides.front.kind == Kind::cell && sides.back.kind == Kind::cell && sides.front.cell == sides.back.cell) {
+    if (place->sides.within_one_cell()) {
       if (!door.area.empty()) {
         placement_.within_a_cell.insert(index);
       } else {
@@ -75,7 +71,7 @@ class Placer {
       }
       return;
     }
-    keep(door, place->candidate, sides);
+    keep(door, place->candidate, place->sides);
   }
 
   // The wall runs along the side of the door's rectangle across which there is floor on both sides; the longer one when
@@ -94,7 +90,7 @@ class Placer {
   // REQUIRES: a door with a path.
   static Vec2 middle_of(const PlanDoor& door) { return 0.5 * (door.path.front() + door.path.back()); }
 
-  // A line or a point: taken where it stands when there is a wall, else moved onto the nearest wall of its cell.
+  // A line or a point: taken where it stands when there is a wall, else moved onto the best one near by.
   std::optional<DoorPlace> from_path(const PlanDoor& door) const {
     const Vec2 chord = door.path.back() - door.path.front();
     if (norm(chord) > kMinWidth) {

@@ -14,7 +14,7 @@ struct PlacedDoor {
 
   Source source;
   std::string name;
-  Vec2 centre{};      ///< Of the opening, on the middle of the wall.
+  Vec2 centre{};      ///< Of the opening, anywhere in the thickness of the wall.
   Vec2 along{};       ///< Unit vector along the wall; the normal is perpendicular(along).
   double width = 0.0;
   int front = kOutside;       ///< Cell in front (towards the normal), or kOutside.
