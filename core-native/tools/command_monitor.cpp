@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <thread>
 
 #include "belt_time.hpp"
@@ -33,6 +34,8 @@ constexpr int kTickMs = 250;
 constexpr std::size_t kLineHolds = 4096;
 // A belt that was pulled out is waited for this long before the command ends.
 constexpr std::chrono::seconds kReturnWait{5};
+// Where pseudo-terminals are: the name of one that hung up is given to the next that any program asks for.
+constexpr std::string_view kPseudoTerminals = "/dev/pts/";
 
 std::atomic<bool> interrupted{false};
 
@@ -110,11 +113,13 @@ class Monitor {
   }
 
   std::optional<SerialPort> wait_for_return() {
+    const bool may_return = !options_.port.starts_with(kPseudoTerminals);
     const auto give_up = Clock::now() + kReturnWait;
     while (!interrupted && Clock::now() < give_up) {
       std::this_thread::sleep_for(std::chrono::milliseconds(kTickMs));
       session_.on_tick(now());   // What waits for its turn to be said need not wait for the belt.
       report_.update();
+      if (!may_return) continue;
       Result<SerialPort> port = SerialPort::open(options_.port, options_.baud);
       if (port) return std::move(*port);
     }

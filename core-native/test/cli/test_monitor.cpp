@@ -75,6 +75,7 @@ TEST(Monitor, FollowsAWalkThatComesFarFasterThanABeltFires) {
   ASSERT_TRUE(truth.ok());
   const std::string start = test::start_option(truth->front());
 
+  const auto begin = std::chrono::steady_clock::now();
   BackgroundEchoway belt({"play", "--scans", prefix + ".scans.csv", "--speed", "1000"});
   BackgroundEchoway monitor({"monitor", "--building", kLab, "--port", belt.read_line(), "--start", start});
   std::string last;
@@ -84,7 +85,12 @@ TEST(Monitor, FollowsAWalkThatComesFarFasterThanABeltFires) {
   }
   EXPECT_NE(last.find(" s  room " + truth->back().room + " "), std::string::npos) << last;
   EXPECT_TRUE(last.ends_with("tracking")) << last;
-  EXPECT_NEAR(std::strtod(last.c_str(), nullptr), truth->back().time_s - truth->front().time_s, 3.0) << last;
+  // What a busy machine stalls the line for is a pause of the belt.
+  const std::chrono::duration<double> stalled_at_most = std::chrono::steady_clock::now() - begin;
+  const double walked = truth->back().time_s - truth->front().time_s;
+  const double told = std::strtod(last.c_str(), nullptr);
+  EXPECT_GT(told, walked - 3.0) << last;
+  EXPECT_LT(told, walked + 3.0 + stalled_at_most.count()) << last;
 }
 
 TEST(Play, EndsWhenNobodyReads) {
@@ -121,6 +127,21 @@ TEST(Play, LosesNothingToAListenerWhoIsSlow) {
   }
   close(port);
   EXPECT_EQ(std::count(heard.begin(), heard.end(), '$'), 101);  // Each firing, and once what the belt says of itself.
+}
+
+// The name of a terminal that hung up goes to the next one, which may be a shell's.
+TEST(Monitor, LeavesAloneWhoeverGetsTheTerminalsNameNext) {
+  const TemporaryFolder folder;
+  const std::string log = folder.write("log.csv", "time_s,sensor,range_m\n0,0,1.5\n0.1,1,1.5\n").string();
+  BackgroundEchoway belt({"play", "--scans", log});
+  const std::string port = belt.read_line();
+  BackgroundEchoway monitor({"monitor", "--building", kLab, "--port", port});
+  EXPECT_NE(read_until(monitor, {"sentences; dropped"}).find("3 sentences; dropped 0"), std::string::npos);
+
+  BackgroundEchoway other({"play", "--scans", log});
+  if (other.read_line() != port) GTEST_SKIP() << "another program has got " << port;
+  const std::string rest = read_until(monitor, {"sentences; dropped"});
+  EXPECT_EQ(rest.find("sentences; dropped"), std::string::npos) << rest;
 }
 
 TEST(Monitor, RefusesABeltOfAnotherNumberOfSensorsThanIsThought) {
