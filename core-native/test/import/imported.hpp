@@ -11,6 +11,7 @@
 
 #include "echoway/building/loader.hpp"
 #include "echoway/import/import.hpp"
+#include "support/process.hpp"
 
 namespace echoway::import {
 
@@ -66,14 +67,11 @@ inline std::filesystem::path test_plan(const std::string& name) {
 /// Fails the test when the building cannot be written or loaded.
 inline ImportedPlan written_and_read(const ImportedBuilding& imported) {
   ImportedPlan plan;
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const std::filesystem::path out = std::filesystem::path(testing::TempDir()) /
-                                    (std::string("echoway-") + test->test_suite_name() + "-" + test->name());
-  std::filesystem::remove_all(out);
+  const test::TemporaryFolder folder;
+  const std::filesystem::path out = folder.path() / "building";
   const Status written = write_imported(imported.building, out, plan.findings);
   EXPECT_TRUE(written) << (written ? "" : written.error().to_string());
   Result<Building> loaded = load_building(out);
-  std::filesystem::remove_all(out);
   if (loaded) {
     plan.building = std::move(loaded).value();
   } else {

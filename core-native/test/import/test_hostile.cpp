@@ -1,6 +1,5 @@
-#include <fstream>
-
 #include "import/imported.hpp"
+#include "support/process.hpp"
 
 // Plans made to break an importer: each is refused with a reason that names the file, in bounded time and memory.
 namespace echoway::import {
@@ -10,23 +9,12 @@ using testing::HasSubstr;
 
 class HostilePlan : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              (std::string("echoway-hostile-") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::filesystem::path write(const std::string& name, const std::string& text) {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return folder_ / name;
-  }
+  std::filesystem::path write(const std::string& name, const std::string& text) { return folder_.write(name, text); }
   // A WRLD plan of one level with these features.
   std::filesystem::path wrld(const std::string& features) {
     write("main.json", R"({"name": "X", "levels": [{"name": "G", "z_order": 0, "filename": "g.geojson"}]})");
     write("g.geojson", R"({"type": "FeatureCollection", "features": [)" + features + "]}");
-    return folder_;
+    return folder_.path();
   }
   static std::string wall(const std::string& coordinates) {
     return R"({"type": "Feature", "properties": {"id": 7, "type": "wall"}, "geometry": {"type": "Polygon", )"
@@ -40,7 +28,7 @@ class HostilePlan : public testing::Test {
     return imported ? "" : imported.error().to_string();
   }
 
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(HostilePlan, AZipBombIsRefusedBeforeItUnpacks) {
@@ -67,16 +55,16 @@ TEST_F(HostilePlan, NumbersThatAreNoCoordinatesAreRefusedWithTheirFeature) {
 TEST_F(HostilePlan, BrokenTextIsRefusedWithItsLine) {
   wrld("");
   write("main.json", "{\n\"name\": \"X\",\n oops }");
-  EXPECT_THAT(refusal(SourceFormat::wrld, folder_), HasSubstr("main.json:3: "));
+  EXPECT_THAT(refusal(SourceFormat::wrld, folder_.path()), HasSubstr("main.json:3: "));
   EXPECT_THAT(refusal(SourceFormat::osm, write("cut.osm", "<osm>\n<node id='1'")), HasSubstr("cut.osm:2: "));
 }
 
 TEST_F(HostilePlan, TextInAnotherEncodingIsSaidToBe) {
   wrld("");
   write("main.json", "{\n\"name\": \"B\xFCro\", \"levels\": []}");
-  EXPECT_THAT(refusal(SourceFormat::wrld, folder_), HasSubstr("main.json:2: is not UTF-8 text"));
+  EXPECT_THAT(refusal(SourceFormat::wrld, folder_.path()), HasSubstr("main.json:2: is not UTF-8 text"));
   write("main.json", std::string("\xFF\xFE{\0}\0", 6));
-  EXPECT_THAT(refusal(SourceFormat::wrld, folder_), HasSubstr("main.json:1: is not UTF-8 text"));
+  EXPECT_THAT(refusal(SourceFormat::wrld, folder_.path()), HasSubstr("main.json:1: is not UTF-8 text"));
 }
 
 TEST_F(HostilePlan, EntitiesAreRefused) {
@@ -87,7 +75,7 @@ TEST_F(HostilePlan, EntitiesAreRefused) {
 TEST_F(HostilePlan, ANameInAnArchiveIsNoPath) {
   wrld("");
   write("main.json", R"({"levels": [{"z_order": 0, "filename": "../../../../etc/passwd"}]})");
-  EXPECT_THAT(refusal(SourceFormat::wrld, folder_), HasSubstr("is missing"));
+  EXPECT_THAT(refusal(SourceFormat::wrld, folder_.path()), HasSubstr("is missing"));
 }
 
 TEST_F(HostilePlan, AFeatureOnTheOtherSideOfTheEarthIsLeftOut) {
@@ -113,7 +101,7 @@ TEST_F(HostilePlan, AWholeNumberMayBeWrittenAsADecimal) {
     write("main.json",
           R"({"name": "X", "levels": [{"name": "G", "z_order": )" + number + R"(, "filename": "g.geojson"}]})");
     Report report;
-    return import_building(SourceFormat::wrld, folder_, report);
+    return import_building(SourceFormat::wrld, folder_.path(), report);
   };
   const auto imported = import_level("2.0");
   ASSERT_TRUE(imported) << imported.error().to_string();
@@ -127,7 +115,7 @@ TEST_F(HostilePlan, NothingThatEnclosesIsNoBuilding) {
   EXPECT_THAT(refusal(SourceFormat::wrld, wrld("")), HasSubstr("no feature with coordinates"));
   EXPECT_THAT(refusal(SourceFormat::osm, write("empty.osm", "<osm version='0.6'/>")),
               HasSubstr("Simple Indoor Tagging"));
-  EXPECT_THAT(refusal(SourceFormat::imdf, folder_ / "absent"), HasSubstr("absent: no such folder"));
+  EXPECT_THAT(refusal(SourceFormat::imdf, folder_.path() / "absent"), HasSubstr("absent: no such folder"));
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <initializer_list>
 #include <string>
 #include <vector>
 
 #include "echoway/units.hpp"
 #include "import/imported.hpp"
+#include "support/process.hpp"
 
 namespace echoway::import {
 namespace {
@@ -133,15 +133,9 @@ class DrawnPlan {
   }
 
   [[nodiscard]] ImportedPlan import(const std::string& encoding = "UTF-8") const {
-    const std::filesystem::path file =
-        std::filesystem::path(testing::TempDir()) /
-        (std::string("drawn-") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::ofstream(file, std::ios::binary)
-        << "<?xml version='1.0' encoding='" << encoding << "'?>\n<osm version='0.6'>\n"
-        << text_ << "</osm>\n";
-    ImportedPlan plan = import_plan(SourceFormat::osm, file);
-    std::filesystem::remove(file);
-    return plan;
+    const test::TemporaryFolder folder;
+    const std::string head = "<?xml version='1.0' encoding='" + encoding + "'?>\n<osm version='0.6'>\n";
+    return import_plan(SourceFormat::osm, folder.write("drawn.osm", head + text_ + "</osm>\n"));
   }
   static std::string id_of(const char* type, long id) { return std::string(type) + "/" + std::to_string(id); }
 
