@@ -156,7 +156,8 @@ JNIEXPORT jlong JNICALL Java_org_echoway_core_NativeCore_open(JNIEnv* env, jclas
       0);
 }
 
-/// Handle of a new session in the building that an open one has loaded, or 0 with error[0] set. The old one stays open.
+/// Handle of a new session in the building that an open one has loaded, or 0 with error[0] set (no error for a stale
+/// handle). The old session stays open.
 JNIEXPORT jlong JNICALL Java_org_echoway_core_NativeCore_withBelt(JNIEnv* env, jclass, jlong handle, jint sensors,
                                                                   jdouble radius_m, jdouble beam_rad, jdouble slot_s,
                                                                   jint room, jdouble x, jdouble y, jdouble heading,

@@ -24,6 +24,8 @@ NATIVE(jint, plan)(JNIEnv*, jclass, jstring, jobject, jobjectArray);
 NATIVE(jint, check)(JNIEnv*, jclass, jstring, jobject);
 NATIVE(jlong, open)(JNIEnv*, jclass, jstring, jint, jdouble, jdouble, jdouble, jdouble, jint, jdouble, jdouble, jdouble,
                     jlong, jobjectArray);
+NATIVE(jlong, withBelt)(JNIEnv*, jclass, jlong, jint, jdouble, jdouble, jdouble, jint, jdouble, jdouble, jdouble,
+                        jobjectArray);
 NATIVE(void, close)(JNIEnv*, jclass, jlong);
 NATIVE(jint, onBytes)(JNIEnv*, jclass, jlong, jobject, jint, jdouble, jobject);
 NATIVE(jint, onMotion)(JNIEnv*, jclass, jlong, jint, jdouble, jdouble, jobject);
@@ -103,6 +105,7 @@ class Caller {
       case 17: return belt(to, time);
       case 18: return motion(to, time);
       case 19: return restart(to);
+      case 20: return with_other_belt(to);
       default: return bytes(to, time);
     }
   }
@@ -194,6 +197,22 @@ class Caller {
     if (handle == 0) return told(error);
     handles_.push_back(handle);
     return "";
+  }
+
+  std::string with_other_belt(jlong to) {
+    if (opened_++ >= kMostOpened) return "";
+    const jobjectArray error = java_.array(1);
+    const jint sensors = in_.byte() < 192 ? 1 + in_.byte() % 16 : in_.integer();
+    const double radius = in_.byte() < 192 ? 0.15 : in_.number();
+    const double beam = in_.number();
+    const double slot = in_.number();
+    const jint room = in_.byte() % 4 - 1;
+    const Vec2 at = in_.spot();
+    const double heading = in_.number();
+    const jlong handle = CALL(withBelt, to, sensors, radius, beam, slot, room, at.x, at.y, heading, error);
+    if (handle != 0) handles_.push_back(handle);
+    // A stale handle is refused without words: Kotlin holds none.
+    return handle != 0 || JavaEnv::first(error) == nullptr ? "" : told(error);
   }
 
   std::string close(jlong handle) {

@@ -167,10 +167,11 @@ class CoreSession private constructor(handle: Long) : Closeable {
     val scan: List<ExplainedEcho> get() = PictureLayout.echoes(picture.fill { checked(NativeCore.scan(open(), it)) })
 
     /**
-     * A session on another [belt] in the building as it was loaded, whose files need not be there any more. The air is as
-     * this session has heard of it. Both are to be closed.
+     * Another session with another [belt] in the building as this one has loaded it: its files need not be there any more.
+     * The air is as this session has heard of it ([BeltSetup.temperatureC] is not looked at), the seed the same. Each is to
+     * be closed.
      *
-     * @throws CoreException when the belt cannot be or the start does not exist in the building
+     * @throws CoreException when there is no such belt or the start does not exist in the building
      */
     fun withBelt(belt: BeltSetup, nowS: Double, start: Start = Start()): CoreSession = opened(nowS) { error ->
         NativeCore.withBelt(
