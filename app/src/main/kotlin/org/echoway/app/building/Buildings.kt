@@ -27,8 +27,9 @@ interface Buildings {
 }
 
 /**
- * Plans that came with the app, laid out as files because the core reads folders: once for each [installed], another number
- * after every update. Those of earlier ones are taken away.
+ * Plans that came with the app, laid out as files because the core reads folders.
+ *
+ * @param installed another number after every update: then they are laid out anew, and those of the last one taken away
  */
 class BundledBuildings(private val context: Context, installed: Long) : Buildings {
     private val folder = File(context.filesDir, "buildings/$BUNDLED$installed")
