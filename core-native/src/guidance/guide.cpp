@@ -72,6 +72,8 @@ Guide::Guide(Guide&&) noexcept = default;
 Guide& Guide::operator=(Guide&&) noexcept = default;
 Guide::~Guide() = default;
 
+const GuideConfig& Guide::config() const noexcept { return impl_->config; }
+
 Status Guide::Impl::lead_to(const Goal& goal, RoutePreferences preferences, RoomIndex here) {
   Result<RouteTree> tree = router->tree_to(goal, preferences);
   if (!tree) return tree.error();

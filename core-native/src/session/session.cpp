@@ -68,8 +68,7 @@ struct Session::Impl {
         clock(config.belt.slot_s),
         monitor(config.belt.sensors),
         router(building),
-        guide_setup(guide_config(config.belt)),
-        guide(router, guide_setup) {
+        guide(router, guide_config(config.belt)) {
     for (int i = 0; i < config.belt.sensors; ++i) last_scan[static_cast<std::size_t>(i)] = {-1.0, i, Firing::kNoEcho};
   }
 
@@ -137,7 +136,6 @@ struct Session::Impl {
   FiringClock clock;
   BeltMonitor monitor;
   Router router;                     // refers to `building`
-  GuideConfig guide_setup;
   Guide guide;
   std::array<Firing, kMaxSensors> last_scan{};
   std::array<Estimate, kMaxSensors> fired_from{};        // where the wearer was at each of those
@@ -225,7 +223,7 @@ void Session::clear_destination() { impl_->guide.clear_destination(); }
 void Session::where_am_i() { impl_->guide.where_am_i(); }
 bool Session::repeat() { return impl_->guide.repeat(); }
 bool Session::next_cue(Cue& cue) { return impl_->guide.next_cue(cue); }
-double Session::repeat_gap_s() const { return impl_->guide_setup.repeat_gap_s; }
+double Session::repeat_gap_s() const { return impl_->guide.config().repeat_gap_s; }
 bool Session::has_destination() const { return impl_->guide.has_destination(); }
 Status Session::check_way_from_start() const {
   const Start& start = impl_->config.start;

@@ -32,6 +32,9 @@ class Guide {
   Guide& operator=(Guide&&) noexcept;
   ~Guide();
 
+  /// As given when it was made.
+  [[nodiscard]] const GuideConfig& config() const noexcept;
+
   // The wearer's wishes. All answer by a cue too.
   /// `here`: the room in which the wearer is or said that they are. A destination that nobody is led to from outside
   /// its room is refused to who is not in there (see Router::check_goal).
