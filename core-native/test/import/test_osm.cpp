@@ -268,8 +268,8 @@ DrawnPlan with_vault(double wall) {
 }
 
 // Only the front door is a way out.
-void expect_one_door_to_the_vault(const ImportedPlan& plan) {
-  EXPECT_THAT(plan.doors_between("0-west", "0-vault"), SizeIs(1));
+void expect_one_door_from_west(const ImportedPlan& plan, const std::string& to) {
+  EXPECT_THAT(plan.doors_between("0-west", to), SizeIs(1));
   EXPECT_THAT(plan.building.exits, SizeIs(1));
   expect_sound(plan.building);
 }
@@ -279,17 +279,17 @@ TEST(Osm, ADoorInAThickWallJoinsTheRoomsOnItsSides) {
     SCOPED_TRACE(wall);
     DrawnPlan one = with_vault(wall);
     one.door({3, 5});
-    expect_one_door_to_the_vault(one.import());
+    expect_one_door_from_west(one.import(), "0-vault");
     // On the outlines of both rooms, as where each was drawn for itself.
     DrawnPlan both = with_vault(wall);
     both.door({3, 5});
     both.door({3, 5.0 + wall});
-    expect_one_door_to_the_vault(both.import());
+    expect_one_door_from_west(both.import(), "0-vault");
     DrawnPlan with_wall = with_vault(wall);
     with_wall.way(with_wall.ring({{0, 5}, {6, 5}, {6, 5.0 + wall}, {0, 5.0 + wall}}),
                   DrawnPlan::tag("indoor", "wall") + DrawnPlan::tag("level", "0"));
     with_wall.door({3, 5.0 + 0.5 * wall});
-    expect_one_door_to_the_vault(with_wall.import());
+    expect_one_door_from_west(with_wall.import(), "0-vault");
   }
 }
 
@@ -301,6 +301,32 @@ TEST(Osm, ADoorInTheMiddleOfAWallTooThickForOneIsListed) {
   const ImportedPlan plan = drawn.import();
   EXPECT_TRUE(plan.unresolved(DrawnPlan::id_of("node", door), "leads into a wall"));
   EXPECT_THAT(plan.building.exits, SizeIs(1));
+}
+
+// A chamber in the masonry, a metre behind West's wall at y = 5: to the right of x = 3 + `offset` or, mirrored, to the
+// left of x = 3 - `offset`.
+DrawnPlan with_chamber(double offset, bool mirrored) {
+  const auto at = [mirrored](double x, double y) { return Vec2{mirrored ? 6.0 - x : x, y}; };
+  const double side = 3.0 + offset;
+  DrawnPlan drawn;
+  drawn.room("Chamber", {at(side, 6), at(6, 6), at(6, 9), at(side, 9)});
+  drawn.way(drawn.ring({at(0, 5), at(6, 5), at(6, 6), at(side, 6), at(side, 9), at(0, 9)}),
+            DrawnPlan::tag("indoor", "wall") + DrawnPlan::tag("level", "0"));
+  return drawn;
+}
+
+TEST(Osm, ADoorLeadsWhereMostOfItsWidthDoesOnWhicheverSideThatIs) {
+  for (const bool mirrored : {false, true}) {
+    SCOPED_TRACE(mirrored);
+    DrawnPlan open = with_chamber(-0.1, mirrored);
+    open.door({3, 5}, "0.9");
+    expect_one_door_from_west(open.import(), "0-chamber");
+    DrawnPlan walled = with_chamber(0.1, mirrored);
+    const long door = walled.door({3, 5}, "0.9");
+    const ImportedPlan plan = walled.import();
+    EXPECT_THAT(plan.doors_between("0-west", "0-chamber"), SizeIs(0));
+    EXPECT_TRUE(plan.unresolved(DrawnPlan::id_of("node", door), "leads into a wall"));
+  }
 }
 
 TEST(Osm, ADoorIntoAnAlleyBetweenTwoRoomsIsAWayOut) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 namespace echoway::import {
 namespace {
@@ -36,19 +37,18 @@ void DoorLooker::look_further(const DoorCandidate& door, Vec2 n, const DoorSide&
   if (beyond.kind == Kind::cell && beyond.cell != near.cell) far = beyond;
 }
 
-// Three looks across the door's width, the two that agree count.
+// Three looks across the door's width, and what most of them see. Where each sees something else, it is what the middle
+// one sees or, when that is a wall, what is more of a door: nothing hangs on which end of the door is looked at first.
 DoorSide DoorLooker::look(const DoorCandidate& door, Vec2 n, double reach) const {
   std::array<DoorSide, 3> looks{};
   for (int i = -1; i <= 1; ++i) {
     looks[static_cast<std::size_t>(i + 1)] = look_from(door.centre + (0.25 * i * door.width) * door.along, n, reach);
   }
-  const auto votes = [&](const DoorSide& s) {
-    return std::count_if(looks.begin(), looks.end(), [&](const DoorSide& t) { return same_beyond(s, t); });
+  const auto claim = [&looks](const DoorSide& s) {
+    const auto votes = std::ranges::count_if(looks, [&s](const DoorSide& t) { return same_beyond(s, t); });
+    return std::tuple(votes, s.kind != Kind::blocked, same_beyond(s, looks[1]), -static_cast<int>(s.kind), -s.cell);
   };
-  DoorSide best = looks[1];
-  for (const DoorSide& s : looks) {
-    if (votes(s) > votes(best) || (best.kind == Kind::blocked && s.kind != Kind::blocked)) best = s;
-  }
+  DoorSide best = *std::ranges::max_element(looks, {}, claim);
   for (const DoorSide& s : looks) {
     if (same_beyond(s, best)) best.distance = std::min(best.distance, s.distance);
   }

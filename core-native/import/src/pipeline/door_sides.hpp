@@ -14,7 +14,7 @@ struct DoorCandidate {
 
 /// What lies beyond a door on one side.
 struct DoorSide {
-  enum class Kind {
+  enum class Kind {  // What is more of a door comes first.
     cell,     ///< Floor.
     outside,  ///< The open, or what the plan says is outdoors.
     court,    ///< Nothing that the plan draws, with rooms all round: a court, a shaft, a thick wall.
