@@ -202,6 +202,16 @@ TEST(Osm, AHoleOutsideItsOutlinesIsListed) {
   for (const Room& room : plan.building.rooms) EXPECT_GT(floor_area(room), 15.0) << room.id;
 }
 
+TEST(Osm, AnAreaOfHolesOnlyIsListed) {
+  DrawnPlan drawn;
+  const long hole = drawn.way(drawn.ring({{1, 6}, {3, 6}, {3, 8}, {1, 8}}), "");
+  const long room = drawn.relation(DrawnPlan::member(hole, "inner"),
+                                   DrawnPlan::tag("type", "multipolygon") + DrawnPlan::room_tags("Hollow"));
+  const ImportedPlan plan = drawn.import();
+  EXPECT_TRUE(plan.unresolved(DrawnPlan::id_of("relation", room), "has no outline: left out"));
+  EXPECT_THAT(plan.room_ids(), UnorderedElementsAre("0-west", "0-east"));
+}
+
 TEST(Osm, AHoleThatReachesOverItsOutlineTakesOutWhatLiesInIt) {
   DrawnPlan drawn;
   const long outline = drawn.way(drawn.ring({{0, 5}, {4, 5}, {4, 9}, {0, 9}}), "");

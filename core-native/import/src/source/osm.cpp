@@ -162,7 +162,7 @@ class Reader {
       for (const OsmId ref : way->second.nodes) node_levels_[ref].merge(set_of(levels_of(relation.tags, from)));
     }
     for (Path& hole : holes) put_into(area, std::move(hole));
-    if (!area.empty()) place_area(relation.tags, from, area);
+    place_area(relation.tags, from, area);
   }
 
   // Of several outlines, the hole is in the one that it lies in. One that lies in none is listed when the plan is
@@ -178,6 +178,10 @@ class Reader {
   void place_area(const OsmTags& tags, const Source& from, const Area& area) {
     const std::string indoor = tag(tags, "indoor");
     if (indoor == "no" || indoor == "level" || indoor == "door") return;
+    if (area.empty()) {
+      report_.unresolved(from, "", {}, "has no outline: left out");
+      return;
+    }
     if (indoor == "yes") {
       report_.unresolved(from, "", {}, "indoor=yes does not say what it is (a room, a corridor, an area): left out");
       return;
