@@ -1,6 +1,5 @@
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -14,10 +13,10 @@
 #include <string_view>
 #include <thread>
 
-#include "belt_time.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "echoway/building/loader.hpp"
+#include "live_belt.hpp"
 #include "live_report.hpp"
 #include "option_checks.hpp"
 #include "serial_port.hpp"
@@ -53,19 +52,18 @@ class Monitor {
       : session_(session),
         options_(options),
         report_(session, options.session.speech_style()),
-        time_(session.config().belt.slot_s) {}
+        belt_(session, [this] { return host_time(); }, [this] { report_.update(); }) {}
 
   int run() {
     Result<SerialPort> port = SerialPort::open(options_.port, options_.baud);
     if (!port) return bad_input(port.error());
     std::optional<SerialPort> line(std::move(*port));
     while (line && !interrupted) {
-      session_.on_belt_attached(now());
+      belt_.attach();
       listen(*line);
       if (const std::optional<Error> other = other_belt()) return bad_input(*other);
       line.reset();
-      session_.on_belt_detached(now());
-      report_.update();
+      belt_.detach();
       report_.print_belt();
       if (!interrupted) line = wait_for_return();
     }
@@ -74,32 +72,15 @@ class Monitor {
 
  private:
   [[nodiscard]] double host_time() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
-  [[nodiscard]] double now() { return time_.tell(host_time()); }
 
   void listen(SerialPort& line) {
     std::array<std::uint8_t, kLineHolds> buffer{};
     while (!interrupted) {
       const SerialPort::Read read = line.read(buffer, kTickMs);
       if (read.outcome == SerialPort::Outcome::closed) return;
-      take(std::span(buffer).first(read.count));
+      belt_.take(std::span(buffer).first(read.count));
       if (other_belt()) return;
-      session_.on_tick(now());
-      report_.update();
-    }
-  }
-
-  /// Sentence by sentence, for each may have arrived at another time.
-  void take(std::span<const std::uint8_t> bytes) {
-    time_.on_read(static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), '$')), host_time());
-    while (!bytes.empty()) {
-      const auto end = static_cast<std::size_t>(std::find(bytes.begin() + 1, bytes.end(), '$') - bytes.begin());
-      const std::uint64_t lost = session_.belt_health().lost_firings;
-      const double arrival = time_.next();
-      const int firings = session_.on_bytes(bytes.first(end), arrival);
-      time_.on_firings(firings, session_.belt_health().lost_firings - lost, host_time());
-      session_.on_tick(arrival);
-      report_.update();
-      bytes = bytes.subspan(end);
+      belt_.tick();
     }
   }
 
@@ -117,8 +98,7 @@ class Monitor {
     const auto give_up = Clock::now() + kReturnWait;
     while (!interrupted && Clock::now() < give_up) {
       std::this_thread::sleep_for(std::chrono::milliseconds(kTickMs));
-      session_.on_tick(now());   // What waits for its turn to be said need not wait for the belt.
-      report_.update();
+      belt_.tick();  // What waits for its turn to be said need not wait for the belt.
       if (!may_return) continue;
       Result<SerialPort> port = SerialPort::open(options_.port, options_.baud);
       if (port) return std::move(*port);
@@ -129,7 +109,7 @@ class Monitor {
   Session& session_;
   const MonitorOptions& options_;
   LiveReport report_;
-  BeltTime time_;
+  LiveBelt belt_;
   Clock::time_point begin_ = Clock::now();
 };
 

@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "cli/start_option.hpp"
 #include "echoway/io/logs.hpp"
 #include "support/process.hpp"
 
@@ -31,6 +29,16 @@ std::string read_until(BackgroundEchoway& process, const std::vector<std::string
     if (std::all_of(parts.begin(), parts.end(), is_heard)) break;
   }
   return heard;
+}
+
+// Each firing, and what the belt says of itself once a second.
+void expect_all_heard(const std::string& heard, const ScanLog& log) {
+  const auto sentences =
+      log.firings.size() + static_cast<std::size_t>(log.firings.back().time_s - log.firings.front().time_s) + 1;
+  EXPECT_NE(heard.find(std::to_string(sentences) +
+                       " sentences; dropped 0 with a bad checksum, 0 malformed; 0 firings lost\n"),
+            std::string::npos)
+      << heard;
 }
 
 TEST(Monitor, FollowsABeltOnAPseudoTerminalFromConnectionToLoss) {
@@ -56,41 +64,21 @@ TEST(Monitor, FollowsABeltOnAPseudoTerminalFromConnectionToLoss) {
   EXPECT_NE(heard.find("Belt disconnected.\n"), std::string::npos) << heard;
   const auto log = read_scan_log(prefix + ".scans.csv");
   ASSERT_TRUE(log.ok());
-  // Each firing, and what the belt says of itself once a second.
-  const auto sentences =
-      log->firings.size() + static_cast<std::size_t>(log->firings.back().time_s - log->firings.front().time_s) + 1;
-  EXPECT_NE(heard.find(std::to_string(sentences) +
-                       " sentences; dropped 0 with a bad checksum, 0 malformed; 0 firings lost\n"),
-            std::string::npos)
-      << heard;
+  expect_all_heard(heard, *log);
 }
 
-// A recording that is sent to the port as fast as it takes it: the wearer did not walk any faster.
-TEST(Monitor, FollowsAWalkThatComesFarFasterThanABeltFires) {
+// A recording that is sent to the port as fast as it takes it, which is more than the line holds. How it is followed:
+// test_live_belt.cpp.
+TEST(Monitor, LosesNothingOfAWalkThatComesFarFasterThanABeltFires) {
   const TemporaryFolder folder;
   const std::string walk = kLab + "/walks/thesis.walk";
   const std::string prefix = (folder.path() / "walk").string();
   ASSERT_EQ(run_echoway({"simulate", "--walk", walk, "--out", prefix}).status, 0);
-  const auto truth = read_truth_log(prefix + ".truth.csv");
-  ASSERT_TRUE(truth.ok());
-  const std::string start = test::start_option(truth->front());
-
-  const auto begin = std::chrono::steady_clock::now();
+  const auto log = read_scan_log(prefix + ".scans.csv");
+  ASSERT_TRUE(log.ok());
   BackgroundEchoway belt({"play", "--scans", prefix + ".scans.csv", "--speed", "1000"});
-  BackgroundEchoway monitor({"monitor", "--building", kLab, "--port", belt.read_line(), "--start", start});
-  std::string last;
-  for (std::string line = monitor.read_line(); !line.empty(); line = monitor.read_line()) {
-    if (line.find("  room ") != std::string::npos) last = line;
-    EXPECT_EQ(line.find("Not sure"), std::string::npos) << line;
-  }
-  EXPECT_NE(last.find(" s  room " + truth->back().room + " "), std::string::npos) << last;
-  EXPECT_TRUE(last.ends_with("tracking")) << last;
-  // What a busy machine stalls the line for is a pause of the belt.
-  const std::chrono::duration<double> stalled_at_most = std::chrono::steady_clock::now() - begin;
-  const double walked = truth->back().time_s - truth->front().time_s;
-  const double told = std::strtod(last.c_str(), nullptr);
-  EXPECT_GT(told, walked - 3.0) << last;
-  EXPECT_LT(told, walked + 3.0 + stalled_at_most.count()) << last;
+  BackgroundEchoway monitor({"monitor", "--building", kLab, "--port", belt.read_line()});
+  expect_all_heard(read_until(monitor, {"sentences; dropped"}), *log);
 }
 
 TEST(Play, EndsWhenNobodyReads) {
