@@ -1,5 +1,6 @@
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <poll.h>
 #include <stdlib.h>
 #include <sys/ioctl.h>
 #include <termios.h>
@@ -17,6 +18,7 @@
 #include <string_view>
 #include <thread>
 
+#include "await_reading.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "echoway/belt/sentence.hpp"
@@ -30,7 +32,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kLinger{500};
 constexpr double kStatusPeriod = 1.0;  // Seconds of the log between the belt's words about itself.
 constexpr double kLongestFlightUs = 1e6;  // That a sentence holds (docs/wire-protocol.md).
 constexpr double kLongestWaitS = 1e9;     // Clocks count no farther than centuries.
@@ -76,6 +77,10 @@ class BeltTerminal {
   }
   /// How many bytes wait for a listener: hanging up would lose them.
   [[nodiscard]] int unread() const {
+    // What a busy machine has not carried over the line yet is not counted; asking whether there is something to read
+    // has it carried over.
+    pollfd listener{listener_side_, POLLIN, 0};
+    ::poll(&listener, 1, 0);
     int bytes = 0;
     return ioctl(listener_side_, FIONREAD, &bytes) == 0 ? bytes : 0;
   }
@@ -104,21 +109,6 @@ StatusSentence status_of(const BeltHeader& belt) {
   return status;
 }
 
-/// Waits for a listener that still reads, for they would lose the end to the hang-up; false when they read nothing for
-/// so long. The line shows what it holds bit by bit: that nothing waits counts only when it is seen twice.
-bool await_reading(const BeltTerminal& terminal, std::chrono::milliseconds patience) {
-  auto last_read = Clock::now();
-  int before = terminal.unread();
-  while (true) {
-    std::this_thread::sleep_for(kLinger);
-    const int unread = terminal.unread();
-    if (unread == 0 && before == 0) return true;
-    if (unread != before) last_read = Clock::now();
-    if (Clock::now() - last_read >= patience) return false;
-    before = unread;
-  }
-}
-
 int play(const PlayOptions& options) {
   const Result<ScanLog> log = read_scan_log(options.scans);
   if (!log) return bad_input(log.error());
@@ -145,8 +135,9 @@ int play(const PlayOptions& options) {
     sent = sent && terminal.send(to_sentence(seq++, firing, sound_speed).text(), patience);
     if (!sent) return bad_input({"nobody reads the terminal", terminal.name()});
   }
-  if (!await_reading(terminal, patience)) return bad_input({"nobody reads the terminal", terminal.name()});
-  return 0;
+  RealTime time;
+  const bool all_read = await_reading([&terminal] { return terminal.unread(); }, time, patience);
+  return all_read ? 0 : bad_input({"nobody reads the terminal", terminal.name()});
 }
 
 }  // namespace
