@@ -28,7 +28,7 @@ Hindrances::Hindrances(const GuideConfig& config) : config_(&config) {
 
 void Hindrances::clear() noexcept {
   size_ = 0;
-  kept_.clear();
+  forget_way();
 }
 
 bool Hindrances::counts(const Point& point, RoomIndex room, double time_s) noexcept {
@@ -52,19 +52,21 @@ void Hindrances::add(const Point& point) noexcept {
 }
 
 void Hindrances::add_broad(RoomIndex room, Vec2 at, Vec2 forward, double time_s, int met) noexcept {
-  for (const double side : {0.0, -kTouchBreadth, kTouchBreadth}) add({room, at + side * perpendicular(forward), time_s, met});
-  kept_.clear();  // the way that led here was wrong
+  const Vec2 across = perpendicular(forward);
+  for (const double side : {0.0, -kTouchBreadth, kTouchBreadth}) add({room, at + side * across, time_s, met});
 }
 
 void Hindrances::touch(RoomIndex room, const Pose2& pose, double ahead, double time_s) noexcept {
   const Vec2 forward = unit_from_angle(pose.heading);
   const Vec2 at = pose.position + ahead * forward;
   add_broad(room, at, forward, time_s, 1 + times_met(room, at, time_s));
+  forget_way();  // It led here.
 }
 
 void Hindrances::stand_before(RoomIndex room, const Pose2& pose, double ahead, double time_s) noexcept {
   const Vec2 forward = unit_from_angle(pose.heading);
   add_broad(room, pose.position + ahead * forward, forward, time_s, 1);
+  forget_way();
 }
 
 /// How often the wearer has been stopped about there.

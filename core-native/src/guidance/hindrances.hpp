@@ -46,7 +46,9 @@ class Hindrances {
   static constexpr std::size_t kMost = 128;
 
   void add(const Point& point) noexcept;
+  /// As broad to either side of `forward` as what stops a chest.
   void add_broad(RoomIndex room, Vec2 at, Vec2 forward, double time_s, int met) noexcept;
+  void forget_way() noexcept { kept_.clear(); }
   [[nodiscard]] int times_met(RoomIndex room, Vec2 at, double time_s) const noexcept;
   [[nodiscard]] static bool counts(const Point& point, RoomIndex room, double time_s) noexcept;
   [[nodiscard]] bool stands_on(const Segment& way, double radius) const noexcept;
