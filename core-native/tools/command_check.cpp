@@ -10,7 +10,7 @@
 namespace echoway::tools {
 
 void add_check(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand("check", "Lint a building folder: file:line: problem");
+  auto* command = app.add_subcommand("check", "Say what is wrong with a building folder, by file and line");
   auto dir = std::make_shared<std::string>();
   command->add_option("DIR", *dir, "Building folder")->required()->check(not_empty());
   command->callback([dir, &status] {

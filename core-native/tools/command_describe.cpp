@@ -100,15 +100,14 @@ int describe_what_is_left_out(const std::string& dir) {
 }  // namespace
 
 void add_describe(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand(
-      "describe", "Print a building as JSON, placed: metres in the levels' frames, for drawing and for other programs");
+  auto* command = app.add_subcommand("describe", "Print a building as JSON, for drawing and for other programs");
+  command->footer("All places are in metres, in the frame of their level.");
   auto dir = std::make_shared<std::string>();
   command->add_option("DIR", *dir, "Building folder")->required()->check(not_empty());
   auto left_out = std::make_shared<bool>(false);
-  command->add_flag(
-      "--left-out", *left_out,
-      "Instead, a table: what of the plan no echo in a room can depend on, so that firings leave it out, and what that "
-      "saves");
+  command->add_flag("--left-out", *left_out,
+                    "Print a table instead: what of the plan no echo in each room can\n"
+                    "depend on, so that firings leave it out, and what that saves");
   command->callback(
       [dir, left_out, &status] { status = *left_out ? describe_what_is_left_out(*dir) : describe_building(*dir); });
 }

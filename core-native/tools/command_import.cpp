@@ -49,8 +49,12 @@ int run(const Options& options) {
 void add_import(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("import", "Turn a venue's plan into a building folder");
   auto options = std::make_shared<Options>();
-  command->add_option("FORMAT", options->format, "wrld: WRLD indoor map 1.0.0 (folder or zip); imdf: IMDF (folder or "
-                                                 "zip); osm: OpenStreetMap XML with Simple Indoor Tagging")->required();
+  command
+      ->add_option("FORMAT", options->format,
+                   "imdf: IMDF, a folder or a zip archive\n"
+                   "osm: OpenStreetMap XML with Simple Indoor Tagging\n"
+                   "wrld: WRLD indoor map 1.0.0, a folder or a zip archive")
+      ->required();
   command->add_option("SOURCE", options->source, "The plan")->required()->check(not_empty());
   command->add_option("--out", options->out, "Building folder to write")->required()->check(not_empty());
   command->add_option("--report", options->report, "Also write every repair and every open question to this file");

@@ -144,15 +144,15 @@ int play(const PlayOptions& options) {
 
 void add_play(CLI::App& app, int& status) {
   auto* command =
-      app.add_subcommand("play", "Play a scan log as a belt on a new pseudo-terminal, whose name it prints");
+      app.add_subcommand("play", "Play a scan log as a belt on a new pseudo-terminal and print its name");
   auto options = std::make_shared<PlayOptions>();
   command->add_option("--scans", options->scans, "Scan log (*.scans.csv)")->required()->check(not_empty());
-  command->add_option("--speed", options->speed, "Times real time")
+  command->add_option("--speed", options->speed, "How many times as fast as it was recorded")
       ->check(decimal(0.01, 1000.0))
       ->capture_default_str();
   command
       ->add_option("--patience", options->patience_s,
-                   "Seconds to wait for a listener who reads nothing, when the line holds no more and at the end")
+                   "Seconds to wait for a reader, when the line is full and at the end")
       ->check(decimal(0.0, 86400.0))
       ->capture_default_str();
   command->callback([options, &status] { status = play(*options); });

@@ -145,13 +145,11 @@ void add_simulate(CLI::App& app, int& status) {
   command->add_option("--building", options->building, "Building folder (default: the one that the walk names)")
       ->check(not_empty());
   auto* walk = command->add_option("--walk", options->walk, "Walk file (docs/walk-files.md)")->check(not_empty());
-  auto* random =
-      command
-          ->add_option(
-              "--random", options->random_s,
-              "Instead of a walk file: a random walk of about so many seconds; ends with the leg that reaches them")
-          ->check(decimal(1.0, 36000.0))
-          ->excludes(walk);
+  auto* random = command
+                     ->add_option("--random", options->random_s,
+                                  "Instead of a walk file: a random walk of about so many seconds")
+                     ->check(decimal(1.0, 36000.0))
+                     ->excludes(walk);
   command
       ->add_option("--profile", options->profile,
                    "How severe the world is (default: what the walk says, else furnished)")
@@ -171,7 +169,7 @@ void add_simulate(CLI::App& app, int& status) {
       ->needs(at);
   command->add_option("--world", options->world, "Change a parameter of the world: name=value (repeatable)")
       ->allow_extra_args(false);
-  command->add_option("--seed", options->seed, "Instead of the walk's own")->check(whole(0));
+  command->add_option("--seed", options->seed, "Seed of all chance, instead of the walk's own")->check(whole(0));
   command->add_option("--out", options->out, "Writes PREFIX.scans.csv, PREFIX.motion.csv and PREFIX.truth.csv");
   command->add_flag("--parameters", options->parameters, "List the world's parameters and leave");
   command->callback([options, &status] {

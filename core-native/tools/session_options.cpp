@@ -24,7 +24,9 @@ Error bad_start(const std::string& text, const std::string& why) {
 void SessionOptions::add_to(CLI::App& command) {
   command.add_option("--building", building, "Building folder")->required()->check(not_empty());
   command
-      .add_option("--start", start, "R,x_m,y_m,heading_deg in R's frame; blank fields are unknown; without it, search")
+      .add_option("--start", start,
+                  "R,x_m,y_m,heading_deg: room R, the rest in its frame, blank where\n"
+                  "unknown; without it, the wearer is looked for")
       ->check(not_empty());
   command.add_option("--method", method, "bayes: the tracker; thesis: the thesis's method")
       ->check(CLI::IsMember({"bayes", "thesis"}))
@@ -35,9 +37,9 @@ void SessionOptions::add_to(CLI::App& command) {
   command.add_option("--beam", beam_deg, "Full angle within which a plane wall answers, degrees")
       ->check(decimal(0.01, 360.0));
   command.add_flag("--avoid-stairs", avoid_stairs, "Take stairs only where nothing else leads there");
-  command.add_option("--to", destination, "Guide the wearer to a place, an exit or a room; \"exit\" is the nearest one")
+  command.add_option("--to", destination, "Guide the wearer to a place, an exit or a room; \"exit\": the nearest")
       ->check(not_empty());
-  command.add_option("--language", language, "Of the cues")
+  command.add_option("--language", language, "Language of the cues")
       ->check(CLI::IsMember({"en", "de", "fr"}))
       ->capture_default_str();
   command.add_option("--directions", directions, "How cues give directions")

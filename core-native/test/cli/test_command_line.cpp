@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -25,12 +26,27 @@ void expect_refused(const Arguments& arguments, const std::string& why) {
   EXPECT_NE(result.err.find(why), std::string::npos) << testing::PrintToString(arguments) << ": " << result.err;
 }
 
+constexpr const char* kCommands[] = {"bench",   "check", "describe", "import",  "locate",
+                                     "monitor", "play",  "score",    "simulate"};
+
 TEST(CommandLine, EveryCommandHasHelp) {
-  for (const char* command :
-       {"bench", "check", "describe", "import", "locate", "monitor", "play", "score", "simulate"}) {
+  for (const char* command : kCommands) {
     const ProcessResult result = run_echoway({command, "--help"});
     EXPECT_EQ(result.status, 0) << command;
     EXPECT_NE(result.out.find("Usage"), std::string::npos) << command;
+  }
+}
+
+// Broken by the window, a line of a table is hard to follow, by eye and by ear.
+TEST(CommandLine, HelpFitsInAHundredColumns) {
+  std::vector<Arguments> all{{"--help"}};
+  for (const char* command : kCommands) all.push_back({command, "--help"});
+  for (const Arguments& arguments : all) {
+    std::istringstream help(run_echoway(arguments).out);
+    for (std::string line; std::getline(help, line);) {
+      const bool names_the_program = line.starts_with("Usage: ");
+      EXPECT_TRUE(line.size() <= 100 || names_the_program) << line;
+    }
   }
 }
 
