@@ -33,12 +33,16 @@ class BuildingLibrary(private val bundled: Buildings, private val home: File, pr
     }
 
     override suspend fun find(id: String): InstalledBuilding? =
-        withContext(Dispatchers.IO) { folder(id)?.let(::load) } ?: bundled.find(id)
+        withContext(Dispatchers.IO) { own(id)?.let(::load) } ?: bundled.find(id)
 
-    /** What the core would mend in a building, or why it cannot be used. Empty for one that is not there. */
-    suspend fun check(id: String): List<Finding> {
-        val folder = find(id)?.folder ?: folder(id) ?: return emptyList()
-        return withContext(Dispatchers.IO) { BuildingCheck.of(folder).findings.map { it.copy(file = File(it.file).name) } }
+    /** Of the wearer's own, where there is one. */
+    override suspend fun folder(id: String): File? = withContext(Dispatchers.IO) { own(id) } ?: bundled.folder(id)
+
+    /** What the core would mend in the building that [find] finds, or why there is none to be found. Empty for one that is not there. */
+    suspend fun check(id: String): List<Finding> = withContext(Dispatchers.IO) {
+        val own = own(id)?.let(BuildingCheck::of)
+        val used = own?.takeIf { it.usable } ?: bundled.folder(id)?.let(BuildingCheck::of) ?: own
+        used?.findings.orEmpty().map { it.copy(file = File(it.file).name) }
     }
 
     /** @throws ImportException [UnusableBuilding] */
@@ -49,7 +53,7 @@ class BuildingLibrary(private val bundled: Buildings, private val home: File, pr
 
     /** Deletes an imported building; the ones that came with the app stay. */
     suspend fun delete(id: String) {
-        withContext(Dispatchers.IO) { folder(id)?.deleteRecursively() }
+        withContext(Dispatchers.IO) { own(id)?.deleteRecursively() }
         changes.update { it + 1 }
     }
 
@@ -61,7 +65,7 @@ class BuildingLibrary(private val bundled: Buildings, private val home: File, pr
     }
 
     /** An id comes from settings; only a name of one of our own folders may be followed. */
-    private fun folder(id: String): File? = home.listFiles().orEmpty().firstOrNull { it.name == id }
+    private fun own(id: String): File? = home.listFiles().orEmpty().firstOrNull { it.name == id }
 
     private fun load(folder: File): InstalledBuilding? = try {
         InstalledBuilding(folder.name, folder, PlanLoader.load(folder), imported = true)

@@ -24,6 +24,9 @@ interface Buildings {
 
     /** Null when there is none of that id, or it is unusable. */
     suspend fun find(id: String): InstalledBuilding?
+
+    /** Where the plan of that id lies, whether or not it can be used; null when there is none. */
+    suspend fun folder(id: String): File?
 }
 
 /**
@@ -40,10 +43,12 @@ class BundledBuildings(private val context: Context, installed: Long) : Building
         folder.listFiles().orEmpty().mapNotNull(::load).sortedBy { it.title }
     }
 
-    override suspend fun find(id: String): InstalledBuilding? = withContext(Dispatchers.IO) {
+    override suspend fun find(id: String): InstalledBuilding? = withContext(Dispatchers.IO) { folder(id)?.let(::load) }
+
+    override suspend fun folder(id: String): File? = withContext(Dispatchers.IO) {
         install()
         // An id comes from settings; only a name of one of our own folders may be followed.
-        folder.listFiles().orEmpty().firstOrNull { it.name == id }?.let(::load)
+        folder.listFiles().orEmpty().firstOrNull { it.name == id }
     }
 
     private fun load(building: File): InstalledBuilding? = try {
