@@ -75,7 +75,8 @@ Aim::Choice Aim::far_point(const View& view, double door_along) const {
 Vec2 Aim::settle(const Estimate& e, const Choice& choice) {
   std::optional<Vec2> slant;
   if (slanting_ || (choice.beyond && !choice.through)) {
-    if (const auto door = doorway(e.room); door && way_->line().size() >= 2) slant = door->slant(e.pose, e.sigma_m, slanting_);
+    const auto door = doorway(e.room);
+    if (door && way_->line().size() >= 2) slant = door->slant(e.pose, e.sigma_m, slanting_);
   }
   if (slant && way_->hindrances().hinders({e.pose.position, *slant})) slant.reset();
   slanting_ = slant.has_value();

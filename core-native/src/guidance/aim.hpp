@@ -9,8 +9,8 @@
 
 namespace echoway::guidance {
 
-/// Where to head for on the way: the next turn, the spot before the next door or one beyond it. Small errors of position do
-/// not send a wearer from one to the other and back.
+/// Where to head for on the way: the next turn, the spot before the next door or one beyond it. Small errors of
+/// position do not send a wearer from one to the other and back.
 class Aim {
  public:
   /// REQUIRES: all outlive this.

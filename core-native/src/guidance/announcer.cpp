@@ -44,7 +44,8 @@ bool searches(CueKind kind) noexcept {
   return kind == CueKind::uncertain || kind == CueKind::probe_turn || kind == CueKind::probe_step;
 }
 
-/// Lines that whoever asks again wants to hear. A bare "Stop." is none: who stands has done it, and asks what came before.
+/// Lines that whoever asks again wants to hear. A bare "Stop." is none: who stands has done it and
+/// asks what came before.
 bool instructs(const Cue& cue) noexcept {
   switch (cue.kind) {
     case CueKind::arrived:

@@ -12,8 +12,8 @@ namespace echoway::guidance {
 /// How long a line takes to be spoken, from the number of words that its kind has in English.
 [[nodiscard]] double spoken_seconds(const Cue& cue, const GuideConfig& config) noexcept;
 
-/// The one voice. A cue that is offered is spoken now or not at all: whoever still means it offers it again. Keeps these
-/// promises:
+/// The one voice. A cue that is offered is spoken now or not at all: whoever still means it offers it again. Keeps
+/// these promises:
 ///  1. a line is cut off only by a more urgent one;
 ///  2. nothing is said twice in GuideConfig::repeat_gap_s, unless asked;
 ///  3. no line takes another back within GuideConfig::contradiction_gap_s.
@@ -30,7 +30,7 @@ class Announcer {
   /// Whether offer() would let it out.
   [[nodiscard]] bool would_speak(const Cue& cue, double now, bool asked = false) const noexcept;
 
-  /// The wearer wants the last instruction again; answer() says it as soon as the voice is free. False when there is none.
+  /// The wearer wants the last instruction again; answer() says it as soon as the voice is free. False: there is none.
   bool ask_again() noexcept {
     again_ = instructed_;
     return instructed_;

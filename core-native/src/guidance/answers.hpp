@@ -21,7 +21,8 @@ class Answers {
   /// A line has said that the place is not known.
   void where_was_answered() noexcept { where_ = false; }
   void ask_destination() noexcept { destination_ = true; }
-  /// What was told of the place no longer holds: a half given answer is given afresh. `leading`: there is a destination.
+  /// What was told of the place no longer holds: a half given answer is given afresh.
+  /// `leading`: there is a destination.
   void start_over(bool leading) noexcept;
 
   /// Offers the next line of an answer. `route`: null without a destination.

@@ -52,7 +52,8 @@ bool Arrival::is_there(const View& view, bool holding) const {
   const double lead = reaction_->way(make_cue(CueKind::stop), view.speed);
   // Said early only to somebody who walks straight up to it, from a place that is well known.
   constexpr double kWellKnown = 0.3;  // m
-  const bool approaching = view.walking && e.sigma_m <= kWellKnown && !holding && std::abs(view.off) <= config_->ahead_rad;
+  const bool approaching =
+      view.walking && e.sigma_m <= kWellKnown && !holding && std::abs(view.off) <= config_->ahead_rad;
   const double near = approaching ? std::clamp(lead, config_->arrive_m, 1.6 * config_->arrive_m) : config_->arrive_m;
   if (view.remaining <= near) return true;
   return distance(goal, e.pose.position) <= near && router_->space(e.room).clear_between(e.pose.position, goal, 0.1);
@@ -78,7 +79,8 @@ bool Arrival::walks_past(const View& view) const {
   if (!view.walking) return false;
   const Estimate& e = *view.estimate;
   const Vec2 ahead = unit_from_angle(e.pose.heading);
-  const double on = router_->space(e.room).reach(e.pose.position, ahead, reaction_->way(make_cue(CueKind::stop), view.speed));
+  const double stopping = reaction_->way(make_cue(CueKind::stop), view.speed);
+  const double on = router_->space(e.room).reach(e.pose.position, ahead, stopping);
   return e.sigma_m > kKnown || distance(e.pose.position + on * ahead, way_->route().waypoints.back().at) > kBeyond;
 }
 

@@ -80,7 +80,9 @@ bool Certainty::holds_though_unfit(const Estimate& e) const noexcept {
 }
 
 bool Certainty::is_narrow(const Estimate& e) const noexcept {
-  return is_finite(e.pose) && e.room != kNoRoom && e.sigma_m <= config_->vague_sigma_m && e.room_probability >= config_->vague_probability;
+  const GuideConfig& c = *config_;
+  return is_finite(e.pose) && e.room != kNoRoom && e.sigma_m <= c.vague_sigma_m &&
+         e.room_probability >= c.vague_probability;
 }
 
 void Certainty::update(const Estimate& e, bool suspended) noexcept {
@@ -88,7 +90,8 @@ void Certainty::update(const Estimate& e, bool suspended) noexcept {
   constexpr double kSettled = 5.0;  // s after a jump
   const GuideConfig& c = *config_;
   const bool fits = e.state == TrackState::tracking && e.room != kNoRoom;
-  const bool good = (fits || holds_though_unfit(e)) && e.sigma_m <= c.found_sigma_m && e.room_probability >= c.found_probability;
+  const bool good = (fits || holds_though_unfit(e)) && e.sigma_m <= c.found_sigma_m &&
+                    e.room_probability >= c.found_probability;
   if (!started_) {
     changing_since_ = e.time_s;
     told_ = good;

@@ -18,7 +18,7 @@ class Certainty {
   /// Takes a new estimate in. `suspended`: echoes need not fit now (stairs), so a loss is not counted.
   void update(const Estimate& estimate, bool suspended) noexcept;
 
-  /// The place cannot be right, whatever the echoes say: whatever is found next is believed only once it has stood a turn.
+  /// The place cannot be right, whatever the echoes say: what is found next is believed only once it has stood a turn.
   void reject(double now) noexcept;
 
   [[nodiscard]] Level level() const noexcept { return level_; }
@@ -28,7 +28,8 @@ class Certainty {
   [[nodiscard]] bool fits_now() const noexcept { return fits_now_; }
   /// Whether the wearer's place was known from the first estimate on: somebody said where they start.
   [[nodiscard]] bool was_told() const noexcept { return told_; }
-  /// Whether the wearer has not left the room where the tracker found them by itself: they may be in one that looks the same.
+  /// Whether the wearer has not left the room where the tracker found them by itself: they may be in another that looks
+  /// the same.
   [[nodiscard]] bool is_unproven() const noexcept { return !told_ && last_.room == found_in_; }
   /// Whether it has ever been sure of a place.
   [[nodiscard]] bool was_sure() const noexcept { return was_sure_; }
@@ -48,7 +49,7 @@ class Certainty {
   Estimate last_{};
   Estimate home_{};              ///< Where the wearer was when the place was last believed.
   double jumped_s_ = -1e300;
-  double away_since_ = -1.0;     ///< Since when the place is none that can be walked to from there; negative: it is not so.
+  double away_since_ = -1.0;     ///< Since when the place is none that can be walked to from there; negative: it can.
   double walked_ = 0.0;          ///< Metres since `home_`,
   double turned_ = 0.0;          ///< and radians, left is positive.
   double proof_ = 0.0;           ///< Radians turned to either side since the place was lost or has jumped.

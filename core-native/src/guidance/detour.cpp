@@ -23,7 +23,8 @@ struct Step {
 constexpr std::array<Step, 3> kByWalls{{{0.25, 3.0}, {0.35, 1.6}, {0.45, 1.2}}};
 constexpr std::array<Step, 5> kByThings{{{0.2, 30.0}, {0.3, 8.0}, {0.4, 3.0}, {0.55, 1.6}, {0.8, 1.15}}};
 constexpr double kWidest = 0.8;
-/// Who passes a point of what stopped them this near is stopped by it again; from there on there may be a gap beside it, metres.
+/// Who passes a point of what stopped them this near, metres, is stopped by it again; from there on there may be a gap
+/// beside it.
 constexpr double kBody = 0.2;
 
 /// Calls `visit(cell, dx, dy)` for the cells of a square field of `side` that lie at most `around` cells from `middle`.
@@ -114,8 +115,8 @@ void Detour::open_ends(const FreeSpace& space, Vec2 from, Vec2 to) {
       const Vec2 p = middle_of(near);
       const double apart = distance(p, end);
       if (effort_[cell] < kNever || apart > kEnd) return;
-      const bool reached = near == middle || (space.contains(p) && space.reach(end, (1.0 / apart) * (p - end), kEnd) > apart);
-      if (reached) effort_[cell] = kTight;
+      const auto reaches = [&] { return space.reach(end, (1.0 / apart) * (p - end), kEnd) > apart; };
+      if (near == middle || (space.contains(p) && reaches())) effort_[cell] = kTight;
     });
   }
 }
@@ -166,11 +167,13 @@ double Detour::cost(std::span<const Vec2> way) const noexcept {
   return sum;
 }
 
-/// Corners only where going straight would cost more. Past a wall's corner, where a step costs without end here, the way is too
-/// tight to be told turn by turn: from there it goes straight, by touch.
+/// Corners only where going straight would cost more. Past a wall's corner, where a step costs without end here, the
+/// way is too tight to be told turn by turn: from there it goes straight, by touch.
 void Detour::straighten(Vec2 from, Vec2 to, std::vector<Vec2>& way) {
   path_.clear();
-  for (std::int32_t cell = cell_of(to); cell >= 0; cell = before_[static_cast<std::size_t>(cell)]) path_.push_back(middle_of(cell));
+  for (std::int32_t cell = cell_of(to); cell >= 0; cell = before_[static_cast<std::size_t>(cell)]) {
+    path_.push_back(middle_of(cell));
+  }
   std::reverse(path_.begin(), path_.end());
   path_.front() = from;
   path_.back() = to;
@@ -181,8 +184,11 @@ void Detour::straighten(Vec2 from, Vec2 to, std::vector<Vec2>& way) {
   way.clear();
   way.push_back(from);
   for (std::size_t here = 0; here + 1 < path_.size();) {
+    const auto costs_more_straight = [&](std::size_t there) {
+      return straight_cost(path_[here], path_[there]) > kWorthACorner * (along_[there] - along_[here]) + 0.02;
+    };
     std::size_t next = path_.size() - 1;
-    while (next > here + 1 && straight_cost(path_[here], path_[next]) > kWorthACorner * (along_[next] - along_[here]) + 0.02) --next;
+    while (next > here + 1 && costs_more_straight(next)) --next;
     way.push_back(path_[next]);
     here = next;
   }

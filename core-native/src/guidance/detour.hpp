@@ -15,9 +15,9 @@ struct ThingPoint {
   int met = 1;  ///< How often a wearer was stopped about here, or 1 if only echoes tell of it.
 };
 
-/// The easiest way round things of which only some points are known. Nearness to a point costs more the nearer it is and
-/// never everything: what is known of things is vague, and the only way may lead close past them. Where somebody was stopped
-/// again it costs more each time: whatever stands there, another way has to be tried. Walls are solid.
+/// The easiest way round things of which only some points are known. Nearness to a point costs more the nearer it is
+/// and never everything: what is known of things is vague, and the only way may lead close past them. Where somebody
+/// was stopped again it costs more each time: whatever stands there, another way has to be tried. Walls are solid.
 ///
 /// A search over cells of 0.1 m within 4 m (Dijkstra), straightened. Allocates only when it is made.
 class Detour {
@@ -25,8 +25,8 @@ class Detour {
   Detour();
 
   /// Fills `way` with the corners from `from` to `to`, both included. False when walls leave no way.
-  [[nodiscard]] bool find(const FreeSpace& space, RoomIndex room, std::span<const ThingPoint> things, Vec2 from, Vec2 to,
-                          std::vector<Vec2>& way);
+  [[nodiscard]] bool find(const FreeSpace& space, RoomIndex room, std::span<const ThingPoint> things, Vec2 from,
+                          Vec2 to, std::vector<Vec2>& way);
   /// What it costs to go straight along `way`, metres; infinite through a wall. Of the last find()'s surroundings.
   [[nodiscard]] double cost(std::span<const Vec2> way) const noexcept;
 

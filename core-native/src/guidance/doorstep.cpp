@@ -15,7 +15,8 @@ constexpr double kDeep = 0.4;  ///< From a door's wall to either side that is st
 std::optional<Doorway> doorway_at(const Router& router, const GuideConfig& config, RoomIndex room, Vec2 position,
                                   std::int32_t door) noexcept {
   const auto doorway = Doorway::of(router, room, door, config.body_m);
-  const bool in_it = doorway && doorway->before(position) < kDeep && std::abs(doorway->beside(position)) < 0.5 * doorway->width();
+  const bool in_it = doorway && doorway->before(position) < kDeep &&
+                     std::abs(doorway->beside(position)) < 0.5 * doorway->width();
   return in_it ? doorway : std::nullopt;
 }
 
@@ -32,7 +33,8 @@ std::optional<Estimate> Doorstep::on_this_side(const Estimate& e) const noexcept
     const double turn = building.room(e.room).frame.heading - building.room(room_).frame.heading;
     Estimate same = e;
     same.room = room_;
-    same.pose = {here->centre() + Pose2{{}, turn}.transform(e.pose.position - there->centre()), wrap_angle(e.pose.heading + turn)};
+    const Vec2 from_centre = Pose2{{}, turn}.transform(e.pose.position - there->centre());
+    same.pose = {here->centre() + from_centre, wrap_angle(e.pose.heading + turn)};
     same.room_probability = 1.0 - e.room_probability;
     return same;
   }

@@ -16,8 +16,8 @@ class Doorstep {
   Doorstep(const Router& router, const GuideConfig& config) : router_(&router), config_(&config) {}
 
   void clear() noexcept { room_ = kNoRoom; }
-  /// Takes an estimate in and gives it back: who has stood for a while stays in the room where they stood, until the tracker
-  /// has had them in the other for a while too.
+  /// Takes an estimate in and gives it back: who has stood for a while stays in the room where they stood, until the
+  /// tracker has had them in the other for a while too.
   [[nodiscard]] Estimate settle(const Estimate& estimate) noexcept;
 
  private:

@@ -16,14 +16,15 @@ inline constexpr double kDoorMiss = 0.18;
 class Doorway {
  public:
   /// None when the door is not in a wall of that room.
-  [[nodiscard]] static std::optional<Doorway> of(const Router& router, RoomIndex room, std::int32_t door, double body_m) noexcept;
+  [[nodiscard]] static std::optional<Doorway> of(const Router& router, RoomIndex room, std::int32_t door,
+                                                 double body_m) noexcept;
 
-  /// Whether a wearer may go straight from `from` to `to`, which lies beyond: not too slantwise, so that the far jamb does
-  /// not come near. `begun`: they do so already, which is given up late.
+  /// Whether a wearer may go straight from `from` to `to`, which lies beyond: not too slantwise, so that the far jamb
+  /// does not come near. `begun`: they do so already, which is given up late.
   [[nodiscard]] bool lets_through(Vec2 from, Vec2 to, bool begun) const noexcept;
 
-  /// Close before it and beside its middle: where to head for straight at the middle and on, if the frame leaves room for
-  /// that. `sigma_m`: of the pose's position.
+  /// Close before it and beside its middle: where to head for straight at the middle and on, if the frame leaves room
+  /// for that. `sigma_m`: of the pose's position.
   [[nodiscard]] std::optional<Vec2> slant(const Pose2& pose, double sigma_m, bool begun) const noexcept;
 
   [[nodiscard]] Vec2 centre() const noexcept { return passage_.centre; }

@@ -5,8 +5,8 @@
 
 namespace echoway::guidance {
 
-/// The nearest mapped thing within a cone, metres from its tip, at most `limit`. Everything that could answer from there
-/// at any angle: what is nearer than this is in no plan.
+/// The nearest mapped thing within a cone, metres from its tip, at most `limit`. Everything that could answer from
+/// there at any angle: what is nearer than this is in no plan.
 [[nodiscard]] double nearest_in_cone(const FreeSpace& space, Vec2 tip, double axis, double half_angle,
                                      double limit) noexcept;
 

@@ -163,7 +163,8 @@ void Follower::lead_on(const View& view, bool turning, Announcer& voice) {
   const Arrival::Now arrival = arrival_.tell(view, holding, voice);
   if (arrival == Arrival::Now::walks_past) steering_.stop(view, voice);
   if (arrival != Arrival::Now::elsewhere || levels_.take(view, voice) || holding) return;
-  if (steering_.point_to_door(view, voice) || steering_.halt(view, voice) || turning || steering_.turn(view, voice) || steering_.go_on(view, voice)) return;
+  if (steering_.point_to_door(view, voice) || steering_.halt(view, voice) || turning) return;
+  if (steering_.turn(view, voice) || steering_.go_on(view, voice)) return;
   herald_.tell(view, voice);
 }
 

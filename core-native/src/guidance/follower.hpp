@@ -45,12 +45,14 @@ class Follower {
     bool vague = false;     ///< Only coarse instructions.
     bool unproven = false;  ///< They are in the room where the tracker found them by itself.
   };
-  /// Offers at most one line to `voice`. `turning`: the wearer turns just now and is not told where to go before they stand
-  /// still.
+  /// Offers at most one line to `voice`. `turning`: the wearer turns just now and is not told where to go before they
+  /// stand still.
   void update(const Estimate& estimate, const Trust& trust, bool turning, Announcer& voice);
 
   /// Something that no plan knows stands at `at` in the wearer's room: the way is laid round it.
-  void note_obstacle(const Estimate& estimate, Vec2 at) noexcept { way_.hindrances().hear(estimate.room, at, estimate.time_s); }
+  void note_obstacle(const Estimate& estimate, Vec2 at) noexcept {
+    way_.hindrances().hear(estimate.room, at, estimate.time_s);
+  }
 
   /// "Something ahead" has just been told: a walker feels for it and goes on without another word.
   void note_feeling(const Cue& obstacle, const Estimate& estimate) noexcept;
@@ -71,8 +73,8 @@ class Follower {
   /// Echoes need not fit until then: stairs or an elevator were taken.
   [[nodiscard]] double suspended_until() const noexcept { return levels_.suspended_until(); }
   [[nodiscard]] std::optional<LevelTransition> take_transition() noexcept { return levels_.take_transition(); }
-  /// True once each time the place is worth a doubt: the wearer gets nowhere though the plan has a way, meets a wall instead of
-  /// the door, or is about to be told that they are there in the room where the tracker found them.
+  /// True once each time the place is worth a doubt: the wearer gets nowhere though the plan has a way, meets a wall
+  /// instead of the door, or is about to be told that they are there in the room where the tracker found them.
   [[nodiscard]] bool take_doubt() noexcept;
 
  private:

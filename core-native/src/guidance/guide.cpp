@@ -28,7 +28,8 @@ using guidance::Certainty;
 struct Guide::Impl {
   Impl(const Router& r, const GuideConfig& c)
       : router(&r), config(c), voice(config), certainty(r, config), doorstep(r, config), heard(config.belt),
-        follower(r, config, heard), obstacles(r, config), search(r, config, heard, turning), answers(r), passing(r), climbing(r, config) {}
+        follower(r, config, heard), obstacles(r, config), search(r, config, heard, turning), answers(r), passing(r),
+        climbing(r, config) {}
 
   Status lead_to(const Goal& goal, RoutePreferences preferences, RoomIndex here);
   void restart();
@@ -216,11 +217,13 @@ void Guide::Impl::be_lost(std::span<const Hypothesis> places) {
   }
   const bool guesses = search.is_due(estimate.time_s) && position_usable();
   const auto wanted = guesses ? follower.direction_from(estimate) : std::nullopt;
-  if (search.update(estimate, places, wanted, !certainty.was_sure(), answers.is_where_asked(), voice)) answers.where_was_answered();
+  const bool answered =
+      search.update(estimate, places, wanted, !certainty.was_sure(), answers.is_where_asked(), voice);
+  if (answered) answers.where_was_answered();
 }
 
-/// True once the wearer knows. Who was told so a moment ago and has been lost again waits: a place that comes and goes is
-/// none to be led from.
+/// True once the wearer knows. Who was told so a moment ago and has been lost again waits: a place that comes and goes
+/// is none to be led from.
 bool Guide::Impl::be_found() {
   if (!search.was_told()) {
     search.end();

@@ -4,8 +4,8 @@
 
 namespace echoway::guidance {
 
-/// Whether a wearer who does as they are told gets any nearer to where they are going. Who does not, though the plan has a
-/// way, is likely to be elsewhere: before a wall where the door should be, or in a room that looks the same.
+/// Whether a wearer who does as they are told gets any nearer to where they are going. Who does not, though the plan
+/// has a way, is likely to be elsewhere: before a wall where the door should be, or in a room that looks the same.
 class Headway {
  public:
   /// `cost`: of the way that is left. `instructed_s`: when an instruction was told last.

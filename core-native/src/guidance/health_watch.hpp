@@ -11,8 +11,8 @@ namespace echoway::guidance {
 /// Tells what a wearer must know of the belt: lost and back, a blocked sensor, a low battery.
 class HealthWatch {
  public:
-  /// Volts. The ranging modules need 4.5 at least; below this little is left of the belt's 6 V pack. Told once until it has
-  /// recovered. The app goes by the same.
+  /// Volts. The ranging modules need 4.5 at least; below this little is left of the belt's 6 V pack. Told once until it
+  /// has recovered. The app goes by the same.
   static constexpr double kLowBattery = 5.2;
   static constexpr double kRecovered = 5.6;
 

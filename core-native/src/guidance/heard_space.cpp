@@ -8,8 +8,8 @@
 namespace echoway::guidance {
 namespace {
 
-constexpr double kFresh = 1.3;               ///< Seconds: a pass and a little more.
-constexpr double kHands = 0.25;              ///< Nearer echoes from beside are the wearer's own hands, metres from the belt.
+constexpr double kFresh = 1.3;   ///< Seconds: a pass and a little more.
+constexpr double kHands = 0.25;  ///< Nearer echoes from beside are the wearer's own hands, metres from the belt.
 
 /// Arms hang at the wearer's sides: what answers from so near before or behind them is none.
 bool may_be_hand(double bearing, double range_m) noexcept {
@@ -24,7 +24,8 @@ void HeardSpace::on_firing(const Firing& firing) noexcept {
   const bool echo = firing.has_echo() && std::isfinite(firing.range_m);
   if (echo && may_be_hand(belt_->bearing(firing.sensor), firing.range_m)) return;
   Heard& heard = heard_[static_cast<std::size_t>(firing.sensor)];
-  heard = {firing.time_s, echo ? firing.range_m + belt_->radius_m : -1.0, fresh(firing.sensor, firing.time_s).value_or(-1.0)};
+  const double before = fresh(firing.sensor, firing.time_s).value_or(-1.0);
+  heard = {firing.time_s, echo ? firing.range_m + belt_->radius_m : -1.0, before};
 }
 
 std::optional<double> HeardSpace::fresh(int sensor, double now) const noexcept {

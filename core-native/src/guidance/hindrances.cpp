@@ -139,8 +139,8 @@ bool Hindrances::is_taken(Vec2 at) const {
   return std::any_of(near_.begin(), near_.end(), [&](const ThingPoint& t) { return distance(at, t.at) < kMatters; });
 }
 
-/// The farthest place on `leg`, which ends too far away to be searched for, that is near enough to `from` and where no thing
-/// is. Where there is none, its beginning, or a metre on from there if that is where the wearer stands.
+/// The farthest place on `leg`, which ends too far away to be searched for, that is near enough to `from` and where no
+/// thing is. Where there is none, its beginning, or a metre on from there if that is where the wearer stands.
 Vec2 Hindrances::part_of_the_way(Vec2 from, const Segment& leg) const {
   constexpr double kStep = 0.2;
   constexpr double kFar = 0.9 * Detour::kReach;
@@ -169,10 +169,14 @@ void Hindrances::bend(const FreeSpace& space, RoomIndex room, double time_s, std
   const Vec2 from = line.front().at;
   look_round(room, time_s, from);
   if (near_.empty() || line.size() < 2) return;
-  // To the last corner of the line in this room that is near enough, and on from there as far as can be searched: the corner
-  // itself may lie in a thing.
-  const auto in_reach = [&](Vec2 at) { return std::max(std::abs(at.x - from.x), std::abs(at.y - from.y)) < Detour::kReach; };
-  const auto goes_on = [&](std::size_t i) { return i + 1 < line.size() && (i == 0 || line[i].kind == WaypointKind::turn); };
+  // To the last corner of the line in this room that is near enough, and on from there as far as can be searched: the
+  // corner itself may lie in a thing.
+  const auto in_reach = [&](Vec2 at) {
+    return std::max(std::abs(at.x - from.x), std::abs(at.y - from.y)) < Detour::kReach;
+  };
+  const auto goes_on = [&](std::size_t i) {
+    return i + 1 < line.size() && (i == 0 || line[i].kind == WaypointKind::turn);
+  };
   std::size_t last = 0;
   while (goes_on(last) && in_reach(line[last + 1].at)) ++last;
   const bool whole = !goes_on(last);

@@ -21,17 +21,17 @@ class Hindrances {
   void hear(RoomIndex room, Vec2 at, double time_s) noexcept { add({room, at, time_s, 0}); }
   /// The wearer, who stands at `pose`, has met something `ahead` metres before their middle.
   void touch(RoomIndex room, const Pose2& pose, double ahead, double time_s) noexcept;
-  /// The wearer, who stands at `pose`, hears something `ahead` metres before their middle: as sure as if they had met it, but
-  /// they have not been stopped once more.
+  /// The wearer, who stands at `pose`, hears something `ahead` metres before their middle: as sure as if they had met
+  /// it, but they have not been stopped once more.
   void stand_before(RoomIndex room, const Pose2& pose, double ahead, double time_s) noexcept;
   void clear() noexcept;
 
   /// How far it is from `from` along `unit` to the first of them, at most `limit`.
   [[nodiscard]] double reach(RoomIndex room, double time_s, Vec2 from, Vec2 unit, double limit) const noexcept;
 
-  /// Leads the stretch of `line` that lies in `room`, where it begins, round what stands near it. A way that was found is
-  /// kept as long as it is little worse than the best one: who is sent to and fro gets nowhere. The line stays as it is
-  /// where nothing stands or walls leave no other way.
+  /// Leads the stretch of `line` that lies in `room`, where it begins, round what stands near it. A way that was found
+  /// is kept as long as it is little worse than the best one: who is sent to and fro gets nowhere. The line stays as it
+  /// is where nothing stands or walls leave no other way.
   void bend(const FreeSpace& space, RoomIndex room, double time_s, std::vector<LinePoint>& line);
   /// True when something that the last line was bent round stands on this way.
   [[nodiscard]] bool hinders(const Segment& way) const noexcept { return stands_on(way, kept_m_); }

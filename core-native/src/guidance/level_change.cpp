@@ -36,7 +36,8 @@ bool LevelChange::tell(const View& view, const LinePoint& end, double along, Ann
 
 bool LevelChange::take(const View& view, Announcer& voice) {
   const LinePoint& end = way_->line().back();
-  if (end.kind != WaypointKind::link_from || length_of(way_->line()) > config_->arrive_m + 0.5 * view.speed) return false;
+  if (end.kind != WaypointKind::link_from) return false;
+  if (length_of(way_->line()) > config_->arrive_m + 0.5 * view.speed) return false;
   if (!voice.offer(cue_for(CueKind::take_link, end.index, view, end.at), view.now)) return true;
   const LevelLink& link = router_->building().links[static_cast<std::size_t>(end.index)];
   const double patience = config_->patience_s(link.kind);

@@ -15,7 +15,8 @@ namespace echoway::guidance {
 class LevelChange {
  public:
   /// REQUIRES: all outlive this.
-  LevelChange(const Router& router, const GuideConfig& config, const Way& way) : router_(&router), config_(&config), way_(&way) {}
+  LevelChange(const Router& router, const GuideConfig& config, const Way& way)
+      : router_(&router), config_(&config), way_(&way) {}
 
   void forget() noexcept;
 
@@ -30,7 +31,7 @@ class LevelChange {
   enum class Asked : std::uint8_t {
     again,  ///< They may not have heard it.
     out,    ///< They are out, on the other level.
-    never,  ///< There is nothing to take where they are, though they are thought to be on the level that they were to leave.
+    never,  ///< There is nothing to take where they are, though they are thought to be on the level they were to leave.
   };
   [[nodiscard]] Asked ask(const Estimate& estimate) noexcept;
   /// Ends it once they have, or have had the time; true then.
@@ -38,7 +39,9 @@ class LevelChange {
 
   /// Echoes need not fit until then.
   [[nodiscard]] double suspended_until() const noexcept { return suspended_until_; }
-  [[nodiscard]] std::optional<LevelTransition> take_transition() noexcept { return std::exchange(transition_, std::nullopt); }
+  [[nodiscard]] std::optional<LevelTransition> take_transition() noexcept {
+    return std::exchange(transition_, std::nullopt);
+  }
   void drop_transition() noexcept { transition_.reset(); }
 
  private:

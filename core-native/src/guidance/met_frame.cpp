@@ -19,7 +19,8 @@ bool may_meet(const Doorway& doorway, Vec2 from, Vec2 ahead) noexcept {
   constexpr double kBeside = 1.0;   // and from its axis
   constexpr double kSteep = 0.5;    // cosine
   const double near = doorway.before(from);
-  return near > 0.0 && near < kBefore && std::abs(doorway.beside(from)) < kBeside && dot(ahead, doorway.through()) > kSteep &&
+  const bool about_there = near > 0.0 && near < kBefore && std::abs(doorway.beside(from)) < kBeside;
+  return about_there && dot(ahead, doorway.through()) > kSteep &&
          std::abs(doorway.crossing(from, ahead)) < 0.5 * doorway.width() + kPlay;
 }
 
@@ -146,7 +147,8 @@ void MetFrame::watch(const Estimate& e, bool walking) noexcept {
 
 Estimate MetFrame::place(const Estimate& e) const noexcept {
   constexpr double kNear = 2.0;  // metres
-  const bool holds = door_ >= 0 && e.room == room_ && e.time_s - met_s_ < kLasts && distance(e.pose.position, centre_) < kNear;
+  const bool holds = door_ >= 0 && e.room == room_ && e.time_s - met_s_ < kLasts &&
+                     distance(e.pose.position, centre_) < kNear;
   if (!holds) return e;
   Estimate there = e;
   there.pose.position = e.pose.position + aside_ * along_;

@@ -12,9 +12,9 @@
 
 namespace echoway::guidance {
 
-/// Who is sent through a doorway and meets its frame, or hears a wall there, stands farther beside it than they are taken to.
-/// To which side and how far is weighed over all that was met there; the wearer is led from there, along the wall to the
-/// opening, as one who trails it with a hand would find it.
+/// Who is sent through a doorway and meets its frame, or hears a wall there, stands farther beside it than they are
+/// taken to. To which side and how far is weighed over all that was met there; the wearer is led from there, along the
+/// wall to the opening, as one who trails it with a hand would find it.
 class MetFrame {
  public:
   /// REQUIRES: all outlive this.
@@ -25,8 +25,8 @@ class MetFrame {
     door_ = -1;
     met_s_ = -1e300;
   }
-  /// The wearer has met something before their chest. True where that may have been the frame of the way's next door: their
-  /// place is another one from now on.
+  /// The wearer has met something before their chest. True where that may have been the frame of the way's next door:
+  /// their place is another one from now on.
   [[nodiscard]] bool meet(const View& view, const Way& way);
   /// The same of who is about to go there, is taken to be right before the opening, and hears a wall there.
   [[nodiscard]] bool hear(const View& view, const Way& way);
@@ -34,7 +34,8 @@ class MetFrame {
   /// `direction` (rad from the chest), about straight through: they are before the opening, for a wall there would
   /// answer sooner.
   [[nodiscard]] bool hears_through(const View& view, const Way& way, double direction) const noexcept;
-  /// What was found holds while the place goes on as the wearer does: one that moves although they stand was wrong before.
+  /// What was found holds while the place goes on as the wearer does: one that moves although they stand was wrong all
+  /// along.
   void watch(const Estimate& estimate, bool walking) noexcept;
   [[nodiscard]] double last_met() const noexcept { return met_s_; }
   /// Where they are by what was met.
@@ -66,8 +67,9 @@ class MetFrame {
   Vec2 along_{};              ///< and the direction of its wall.
   Vec2 stood_{};              ///< Where the tracker had them when they had just come to a stand,
   double walked_s_ = 1e300;   ///< after they had walked until then.
-  std::array<double, kOffsets> weight_{};  ///< How likely the wearer is so far along that from where they are taken to be;
-  double aside_ = 0.0;                     ///< the likeliest of it.
+  /// How likely the wearer is so far along that from where they are taken to be;
+  std::array<double, kOffsets> weight_{};
+  double aside_ = 0.0;        ///< the likeliest of it.
 };
 
 }  // namespace echoway::guidance

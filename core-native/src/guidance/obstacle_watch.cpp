@@ -13,7 +13,7 @@ constexpr double kSector = degrees(36.0);  ///< Things further off the chest are
 constexpr double kFurthest = 3.5;          ///< Echoes are followed from here, metres.
 constexpr double kBesides = 1.2;           ///< The same beside and behind the wearer.
 constexpr double kNearest = 0.25;          ///< Nearer ones are the wearer's own hands.
-constexpr double kMargin = 0.35;           ///< So much nearer than anything mapped, metres, besides the position's error.
+constexpr double kMargin = 0.35;           ///< Nearer by this, metres, and the position's error than anything mapped.
 constexpr double kSame = 0.5;              ///< Hits this close together are one thing, metres.
 constexpr double kMemory = 4.0;            ///< Seconds.
 constexpr double kCorridor = 0.45;         ///< Things further to the side than this are passed by, metres.
@@ -22,7 +22,8 @@ constexpr double kCorridor = 0.45;         ///< Things further to the side than 
 
 void ObstacleWatch::on_firing(const Firing& firing, const Estimate& e) noexcept {
   const BeltConfig& belt = config_->belt;
-  if (firing.sensor < 0 || firing.sensor >= belt.sensors || !firing.has_echo() || !std::isfinite(firing.range_m)) return;
+  if (firing.sensor < 0 || firing.sensor >= belt.sensors) return;
+  if (!firing.has_echo() || !std::isfinite(firing.range_m)) return;
   const double bearing = wrap_angle(belt.bearing(firing.sensor));
   const double furthest = std::abs(bearing) > kSector ? kBesides : kFurthest;
   if (firing.range_m < kNearest || firing.range_m > furthest) return;

@@ -28,7 +28,8 @@ struct Offset {
 };
 constexpr std::array<Offset, 5> kOffsets{{{-1.0, 0.0}, {-0.7, 0.7}, {0.0, 1.0}, {0.7, 0.7}, {1.0, 0.0}}};
 
-/// Whether `needed` is free towards `then` from wherever within `blur` of `at` the wearer may be, and `drift` to a side.
+/// Whether `needed` is free towards `then` from wherever within `blur` of `at`, and `drift` to a side, the wearer may
+/// be.
 bool is_free(const FreeSpace& space, Vec2 at, Vec2 then, double blur, double drift, double needed) noexcept {
   return std::all_of(kOffsets.begin(), kOffsets.end(), [&](const Offset& o) {
     const double far = needed + o.along * blur;
@@ -55,9 +56,11 @@ Outlook::Approach Outlook::approach(const View& view, const Cue& cue, const Dema
   return way;
 }
 
-bool Outlook::clear_of_walls(const View& view, const Approach& way, double direction, const Demand& demand) const noexcept {
+bool Outlook::clear_of_walls(const View& view, const Approach& way, double direction,
+                             const Demand& demand) const noexcept {
   const StraightWalk walk(*router_, view.estimate->room, in_room(*router_, *view.estimate), config_->body_m);
-  const double drift = direction == 0.0 ? 0.0 : std::sin(way.wobble);  // who goes on anyhow is no worse off than they were
+  // Who goes on anyhow is no worse off than they were.
+  const double drift = direction == 0.0 ? 0.0 : std::sin(way.wobble);
   // All the way there too: somebody who touches a wall meanwhile stands still and does it where they are.
   const int stops = 1 + static_cast<int>(std::ceil(way.latest / kStops));
   for (int i = 0; i <= stops; ++i) {
@@ -65,13 +68,15 @@ bool Outlook::clear_of_walls(const View& view, const Approach& way, double direc
     const StraightWalk::Place there = walk.after(on);
     for (const double side : {-1.0, 0.0, 1.0}) {
       const Vec2 then = unit_from_angle(there.pose.heading + direction + side * way.wobble);
-      if (!is_free(router_->space(there.room), there.pose.position, then, way.blur, on * drift, demand.free_m)) return false;
+      const FreeSpace& space = router_->space(there.room);
+      if (!is_free(space, there.pose.position, then, way.blur, on * drift, demand.free_m)) return false;
     }
   }
   return true;
 }
 
-bool Outlook::clear_of_things(const View& view, const Approach& way, double direction, const Demand& demand) const noexcept {
+bool Outlook::clear_of_things(const View& view, const Approach& way, double direction,
+                              const Demand& demand) const noexcept {
   const StraightWalk walk(*router_, view.estimate->room, in_room(*router_, *view.estimate), config_->body_m);
   const double needed = std::min(demand.free_m, kFaceThing);
   const double play = way.latest - way.due;
@@ -87,7 +92,8 @@ bool Outlook::clear_of_things(const View& view, const Approach& way, double dire
 
 bool Outlook::clear_ahead(const View& view, const Cue& cue, double direction, const Demand& demand) const noexcept {
   const Approach way = approach(view, cue, demand);
-  return clear_of_walls(view, way, direction, demand) && (!demand.things || clear_of_things(view, way, direction, demand));
+  if (!clear_of_walls(view, way, direction, demand)) return false;
+  return !demand.things || clear_of_things(view, way, direction, demand);
 }
 
 bool Outlook::grazes(const View& view) const noexcept {

@@ -32,11 +32,14 @@ class Outlook {
   [[nodiscard]] Approach approach(const View& view, const Cue& cue, const Demand& demand) const noexcept;
 
   /// True when a wearer who has done as they were told, to `direction` from the chest, faces no wall.
-  [[nodiscard]] bool clear_of_walls(const View& view, const Approach& way, double direction, const Demand& demand) const noexcept;
+  [[nodiscard]] bool clear_of_walls(const View& view, const Approach& way, double direction,
+                                    const Demand& demand) const noexcept;
   /// The same of things that no plan knows.
-  [[nodiscard]] bool clear_of_things(const View& view, const Approach& way, double direction, const Demand& demand) const noexcept;
+  [[nodiscard]] bool clear_of_things(const View& view, const Approach& way, double direction,
+                                     const Demand& demand) const noexcept;
   /// Of both, for a wearer who is told `cue` now.
-  [[nodiscard]] bool clear_ahead(const View& view, const Cue& cue, double direction, const Demand& demand) const noexcept;
+  [[nodiscard]] bool clear_ahead(const View& view, const Cue& cue, double direction,
+                                 const Demand& demand) const noexcept;
 
   /// True when a walker who goes on like this brushes a wall before the next point, though the way to it is clear.
   [[nodiscard]] bool grazes(const View& view) const noexcept;

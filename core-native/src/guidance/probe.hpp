@@ -17,8 +17,8 @@ struct Probe {
 
 /// Of turning to either side and a step each way, the action after which the places that the wearer may be at are
 /// expected to disagree most about the echoes: the sum over pairs of places of p_i p_j times the share of sensors whose
-/// predicted ranges differ by more than the belt's noise. Steps that meet a wall in any likely place are left out. Turning
-/// wins ties: it is safe.
+/// predicted ranges differ by more than the belt's noise. Steps that meet a wall in any likely place are left out.
+/// Turning wins ties: it is safe.
 [[nodiscard]] Probe choose_probe(const Router& router, const BeltConfig& belt, std::span<const Hypothesis> places);
 
 }  // namespace echoway::guidance

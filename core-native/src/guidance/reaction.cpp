@@ -14,7 +14,9 @@ double Reaction::spread_s() const noexcept {
   return learnt_ < 2 ? kStranger : kAcquaintance;
 }
 
-double Reaction::way(const Cue& cue, double speed) const noexcept { return speed * (spoken_seconds(cue, *config_) + seconds_); }
+double Reaction::way(const Cue& cue, double speed) const noexcept {
+  return speed * (spoken_seconds(cue, *config_) + seconds_);
+}
 
 void Reaction::time(const Cue& cue, double heading, double now) noexcept {
   const double direction = cue.tail.present ? cue.tail.direction : cue.direction;

@@ -14,8 +14,8 @@ struct LinePoint {
   std::int32_t index = -1;  ///< Door or link.
 };
 
-/// Lays a route out in the frame of its first room: rooms are unfolded door by door, up to the goal or the first stairs.
-/// `line` is reused.
+/// Lays a route out in the frame of its first room: rooms are unfolded door by door, up to the goal or the first
+/// stairs. `line` is reused.
 void lay_out(const Route& route, const Building& building, std::vector<LinePoint>& line);
 
 /// The next turn on a way, several close ones of one sense taken together.

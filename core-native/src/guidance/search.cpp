@@ -87,15 +87,16 @@ Cue Search::next_request(double now, std::span<const Hypothesis> places, std::op
   // On the way that the last walk went, however the wearer has turned since: to and fro shows nothing new.
   const double onward = wrap_angle(step_direction_ - turning_->turned());
   const auto way = heard_->way(probe.direction, now);
-  const bool tells = probe.action == Probe::Action::step && way && *way > kStepFree && heard_->answers(probe.direction, now);
+  const bool tells =
+      probe.action == Probe::Action::step && way && *way > kStepFree && heard_->answers(probe.direction, now);
   if (tells && std::abs(wrap_angle(probe.direction - onward)) < kBack) return move_to(probe.direction, now, places);
   const auto free = freest(wanted.value_or(onward), now, places);
   return free ? move_to(*free, now, places) : turn;
 }
 
-/// Of the directions that can be told the one where the way is free farthest; about the preferred one rather than others.
-/// One from which nothing answers only where there is no other: there may be a wall right beside the wearer. One where the
-/// likely places have a wall counts as much less: it may be too near to be heard, or be taken for a hand.
+/// Of the directions that can be told the one where the way is free farthest; about the preferred one rather than
+/// others. One from which nothing answers only where there is no other: there may be a wall right beside the wearer.
+/// One where the likely places have a wall counts as much less: it may be too near to be heard, or be taken for a hand.
 std::optional<double> Search::freest(double preferred, double now, std::span<const Hypothesis> places) const {
   constexpr double kSame = degrees(46.0);
   constexpr double kRather = 2.0;
@@ -117,7 +118,7 @@ std::optional<double> Search::freest(double preferred, double now, std::span<con
   return best;
 }
 
-/// How likely the plan leaves room for a step there, by the places where the wearer may be; 1 where nobody knows of any.
+/// How likely the plan leaves room for a step there, by the places where the wearer may be; 1 where none is known.
 double Search::share_free(double direction, std::span<const Hypothesis> places) const noexcept {
   double all = 0.0;
   double free = 0.0;
@@ -149,7 +150,8 @@ double Search::length_of_move(double direction, double now, std::span<const Hypo
   constexpr double kMost = 4.0;
   constexpr double kMargin = 0.9;  // from the wearer's middle to what is heard, metres
   const auto way = heard_->way(direction, now);
-  if (!way || std::any_of(places.begin(), places.end(), [&](const Hypothesis& h) { return is_near_stairs(h); })) return kStep;
+  const auto near_stairs = [&](const Hypothesis& h) { return is_near_stairs(h); };
+  if (!way || std::any_of(places.begin(), places.end(), near_stairs)) return kStep;
   return std::clamp(*way - kMargin, kStep, kMost);
 }
 

@@ -11,8 +11,8 @@
 
 namespace echoway::guidance {
 
-/// Asks a lost wearer for what will show where they are: to stop and turn, then to walk a little, always forward, to where
-/// the belt hears that it is free, and to turn again now and then.
+/// Asks a lost wearer for what will show where they are: to stop and turn, then to walk a little, always forward, to
+/// where the belt hears that it is free, and to turn again now and then.
 class Search {
  public:
   /// REQUIRES: all outlive this.
@@ -22,9 +22,10 @@ class Search {
   /// Nothing is known and nothing has been said.
   void begin() noexcept;
 
-  /// The wearer is lost, `estimate` the best guess. `starting`: nothing has been known yet, so that the tracker is given a
-  /// moment, unless they have `asked` where they are. Offers at most one line; true when it says that the place is not known.
-  /// `wanted`: where the way leads from the best guess, from the chest; looked at when a request is_due().
+  /// The wearer is lost, `estimate` the best guess. `starting`: nothing has been known yet, so that the tracker is
+  /// given a moment, unless they have `asked` where they are. `wanted`: where the way leads from the best guess, from
+  /// the chest; looked at when a request is_due(). Offers at most one line; true when it says that the place is not
+  /// known.
   bool update(const Estimate& estimate, std::span<const Hypothesis> places, std::optional<double> wanted, bool starting,
               bool asked, Announcer& voice);
 

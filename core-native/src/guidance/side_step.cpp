@@ -12,7 +12,8 @@ namespace {
 
 /// Whether the step touches nothing, neither of the plan nor beyond it.
 bool is_free(const Router& router, const GuideConfig& config, const Way& way, const Estimate& from, Vec2 to) {
-  return router.space(from.room).clear_between(from.pose.position, to, config.body_m) && !way.hindrances().hinders({from.pose.position, to});
+  const Segment step{from.pose.position, to};
+  return router.space(from.room).clear_between(step.a, step.b, config.body_m) && !way.hindrances().hinders(step);
 }
 
 }  // namespace
@@ -47,8 +48,8 @@ std::optional<SideStep> find_side_step(const Router& router, const GuideConfig& 
   return best;
 }
 
-std::optional<SideStep> find_room(const Router& router, const GuideConfig& config, const Outlook& outlook, const Way& way,
-                                  const View& view, const Demand& demand) {
+std::optional<SideStep> find_room(const Router& router, const GuideConfig& config, const Outlook& outlook,
+                                  const Way& way, const View& view, const Demand& demand) {
   constexpr double kStep = 0.5;
   constexpr double kEnough = 1.0;
   constexpr double kGain = 0.1;

@@ -4,8 +4,8 @@
 
 namespace echoway::guidance {
 
-/// Where somebody who stands is: the mean of all positions since they stopped, the surer ones counting more. One that errs
-/// for a moment says nothing then, and waiting for one that suits does not help.
+/// Where somebody who stands is: the mean of all positions since they stopped, the surer ones counting more. One that
+/// errs for a moment says nothing then, and waiting for one that suits does not help.
 class Standing {
  public:
   /// Takes an estimate in and gives it back, at the mean while the wearer stands.

@@ -17,7 +17,8 @@ constexpr double kWorthBending = degrees(4.0);
 /// Walkers who are off by more than this are turned, by less they bear to a side.
 constexpr double kMostBend = degrees(22.0);
 
-/// What a turn must leave free to who walks and to who stands, which is where they have been for a while; and in a tight spot.
+/// What a turn must leave free: to who walks, to who stands, which is where they have been for a while, and in a tight
+/// spot.
 constexpr Demand kWalking{};
 constexpr Demand kStanding{0.55, 1.5};
 constexpr Demand kTight{0.5, 1.0, false};
@@ -115,8 +116,8 @@ bool Steering::say_stop(const View& view, const Cue& cue, Announcer& voice) {
   return true;
 }
 
-/// "Stop." once in a while; sooner after the last one other words: "Stop. Turn left.", "Stop. Door left.", "Stop. Facing the
-/// wall."
+/// "Stop." once in a while; sooner after the last one other words: "Stop. Turn left.", "Stop. Door left.",
+/// "Stop. Facing the wall."
 bool Steering::stop_walker(const View& view, Announcer& voice) {
   const Cue plain = make_cue(CueKind::stop);
   if (say_stop(view, plain, voice)) return true;
@@ -167,7 +168,9 @@ bool Steering::is_kept_from_turning(const View& view, const Cue& cue, double dir
   if (hears_wall(view, understood(direction)) && look_round(view, voice)) return true;
   const bool again = view.walking && voice.is_free(view.now) && !voice.would_speak(cue, view.now);
   if (again && turn_in_tight_spot(view, {}, voice)) return true;
-  const auto clear = [&](const Demand& demand) { return outlook_.clear_ahead(view, cue, understood(direction), demand); };
+  const auto clear = [&](const Demand& demand) {
+    return outlook_.clear_ahead(view, cue, understood(direction), demand);
+  };
   const Demand& first = view.walking ? kWalking : kStanding;
   if (clear(first) || hears_free(view, understood(direction), cue)) return false;
   if (!view.walking && is_settling(view)) return true;
@@ -175,35 +178,40 @@ bool Steering::is_kept_from_turning(const View& view, const Cue& cue, double dir
   if (view.walking) return true;  // rather nothing than towards a wall
   // In a tight spot less must do, after a while.
   if (clear(kTight)) return false;
-  return !is_stuck(view, kStuck) || leave_tight_spot(view, voice) || !is_stuck(view, kQuiteStuck) || look_round(view, voice);
+  if (!is_stuck(view, kStuck) || leave_tight_spot(view, voice)) return true;
+  return !is_stuck(view, kQuiteStuck) || look_round(view, voice);
 }
 
-/// Whether the belt hears, whatever the place is, that it is free where the wearer, who stands, is to go, and the plan has
-/// no wall there as long as the place is right; before a door the next room is enough, for the door's wall would answer sooner.
-/// Beside a wall or a door's frame nothing is taken to be free that is not sure to be: a wall that near may not be heard.
+/// Whether the belt hears, whatever the place is, that it is free where the wearer, who stands, is to go, and the plan
+/// has no wall there as long as the place is right; before a door the next room is enough, for the door's wall would
+/// answer sooner. Beside a wall or a door's frame only what is sure to be free is taken to be: a wall that near may not
+/// be heard.
 bool Steering::hears_free(const View& view, double direction, const Cue& cue) const {
   constexpr double kFree = 1.0;      // metres
   constexpr double kByAWall = 0.45;  // metres
   constexpr Demand kByThePlan{0.5, 0.0};
-  if (view.walking || router_->space(view.estimate->room).clearance(view.estimate->pose.position, kByAWall) < kByAWall) return false;
+  if (view.walking) return false;
+  const Estimate& e = *view.estimate;
+  if (router_->space(e.room).clearance(e.pose.position, kByAWall) < kByAWall) return false;
   const bool open = heard_->is_open(direction, kFree, view.now) || frame_.hears_through(view, *way_, direction);
   return open && outlook_.clear_ahead(view, cue, direction, kByThePlan);
 }
 
-/// Whether the belt itself hears a wall where the wearer, who stands, is to go: one that the plan has elsewhere, or a thing.
-/// The way is laid round it.
+/// Whether the belt itself hears a wall where the wearer, who stands, is to go: one that the plan has elsewhere, or a
+/// thing. The way is laid round it.
 bool Steering::hears_wall(const View& view, double direction) {
   constexpr double kFree = 0.5;  // metres
   if (view.walking) return false;
   const auto wall = heard_->wall(direction, view.now);
   if (!wall || *wall >= kFree) return false;
   const Pose2& pose = view.estimate->pose;
-  way_->hindrances().stand_before(view.estimate->room, {pose.position, wrap_angle(pose.heading + direction)}, *wall, view.now);
+  const Pose2 turned{pose.position, wrap_angle(pose.heading + direction)};
+  way_->hindrances().stand_before(view.estimate->room, turned, *wall, view.now);
   return true;
 }
 
-/// Who stands where nothing can be told that is sure not to point at a wall waits, for a better place or another way, and
-/// then turns slowly: that shows where they are. True while that is all there is to say; once in a while.
+/// Who stands where nothing can be told that is sure not to point at a wall waits, for a better place or another way,
+/// and then turns slowly: that shows where they are. True while that is all there is to say; once in a while.
 bool Steering::look_round(const View& view, Announcer& voice) {
   constexpr double kPause = 30.0;  // s
   constexpr double kTakes = 7.0;   // s
@@ -240,8 +248,11 @@ bool Steering::leave_tight_spot(const View& view, Announcer& voice) {
 
 void Steering::word_turn(const View& view, double direction, const Announcer& voice, Cue& cue) const {
   constexpr double kBack = degrees(100.0);
-  if (way_->is_new()) put_turn_in_tail(cue, CueKind::rerouted, direction);
-  else if (way_->is_astray(view.estimate->sigma_m) && std::abs(view.off) > kBack) put_turn_in_tail(cue, CueKind::wrong_way, direction);
+  if (way_->is_new()) {
+    put_turn_in_tail(cue, CueKind::rerouted, direction);
+  } else if (way_->is_astray(view.estimate->sigma_m) && std::abs(view.off) > kBack) {
+    put_turn_in_tail(cue, CueKind::wrong_way, direction);
+  }
   if (cue.kind != CueKind::turn || voice.would_speak(cue, view.now)) return;
   // The same words were said a moment ago and did not do, or are needed again: more words make them new. A walker is
   // told how it goes on; whoever stands has to be put right first.
@@ -269,8 +280,8 @@ bool Steering::say_turn(const View& view, Announcer& voice) {
   return true;
 }
 
-/// Who stands and faces a little off, on a vague place, would never set out: they are turned where only the echoes do not
-/// fit, else they turn slowly.
+/// Who stands and faces a little off, on a vague place, would never set out: they are turned where only the echoes do
+/// not fit, else they turn slowly.
 bool Steering::face_way(const View& view, Announcer& voice) {
   const bool narrow = view.estimate->sigma_m <= config_->vague_sigma_m;
   return narrow && is_stuck(view, kQuiteStuck) ? say_turn(view, voice) : look_round(view, voice);

@@ -12,18 +12,20 @@
 
 namespace echoway::guidance {
 
-/// Tells a wearer to stop, to turn, to bear or to go on: whichever takes them along the way, when it is time and where it
-/// can be done.
+/// Tells a wearer to stop, to turn, to bear or to go on: whichever takes them along the way, when it is time and where
+/// it can be done.
 class Steering {
  public:
   /// REQUIRES: all outlive this.
-  Steering(const Router& router, const GuideConfig& config, Way& way, Aim& aim, Reaction& reaction, const HeardSpace& heard)
+  Steering(const Router& router, const GuideConfig& config, Way& way, Aim& aim, Reaction& reaction,
+           const HeardSpace& heard)
       : router_(&router), config_(&config), way_(&way), aim_(&aim), reaction_(&reaction), heard_(&heard),
-        frame_(router, config, heard), outlook_(router, config, way.hindrances(), reaction), stretch_(router.building()) {}
+        frame_(router, config, heard), outlook_(router, config, way.hindrances(), reaction),
+        stretch_(router.building()) {}
 
   void forget() noexcept;
-  /// Things that the wearer has met on the stretch that they were told. True while it looks as if they have just met one:
-  /// where to go then is soon told better.
+  /// Things that the wearer has met on the stretch that they were told. True while it looks as if they have just met
+  /// one: where to go then is soon told better.
   [[nodiscard]] bool watch_stretch(const View& view) noexcept;
 
   /// Where the wearer is by what they have met. `estimate` is by the tracker alone.
@@ -45,8 +47,8 @@ class Steering {
   /// "Go straight", once a leg; again to a wearer who stands on a clear way for long.
   [[nodiscard]] bool go_on(const View& view, Announcer& voice);
 
-  /// Where to turn from here, as the tail of `line`, which is told now, because the wearer has `asked` or by itself; not present
-  /// when it goes straight on, and to who walks: they are told where they can turn in time.
+  /// Where to turn from here, as the tail of `line`, which is told now, because the wearer has `asked` or by itself;
+  /// not present when it goes straight on, and to who walks: they are told where they can turn in time.
   [[nodiscard]] CueTail as_tail(const View& view, const Cue& line, const Announcer& voice, bool asked);
 
   /// The last instruction is still being carried out.

@@ -49,7 +49,8 @@ StraightWalk::Place StraightWalk::after(double on) const noexcept {
     return {room_, {from_.position + std::min(on, until_wall_) * unit_from_angle(from_.heading), from_.heading}};
   }
   Place place = beyond_->in;
-  place.pose.position = place.pose.position + std::min(on - beyond_->on, beyond_->until_wall) * unit_from_angle(place.pose.heading);
+  const double inside = std::min(on - beyond_->on, beyond_->until_wall);
+  place.pose.position = place.pose.position + inside * unit_from_angle(place.pose.heading);
   return place;
 }
 

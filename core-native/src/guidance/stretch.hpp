@@ -8,8 +8,8 @@
 
 namespace echoway::guidance {
 
-/// A stretch that was told. Who stands well short of its end, or does not even set off when told again, has met something
-/// that no sensor saw.
+/// A stretch that was told. Who stands well short of its end, or does not even set off when told again, has met
+/// something that no sensor saw.
 class Stretch {
  public:
   /// REQUIRES: `building` outlives this.

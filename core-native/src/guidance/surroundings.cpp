@@ -92,8 +92,12 @@ Cue facing(const Router& router, const Estimate& e) {
     nearest = away;
     cue.landmark = {kind, static_cast<std::int32_t>(index)};
   };
-  for (std::size_t i = 0; i < b.places.size(); ++i) look_at(CueLandmark::Kind::place, i, b.places[i].room, b.places[i].at);
-  for (std::size_t i = 0; i < b.exits.size(); ++i) look_at(CueLandmark::Kind::exit, i, b.exits[i].room, b.exits[i].at);
+  for (std::size_t i = 0; i < b.places.size(); ++i) {
+    look_at(CueLandmark::Kind::place, i, b.places[i].room, b.places[i].at);
+  }
+  for (std::size_t i = 0; i < b.exits.size(); ++i) {
+    look_at(CueLandmark::Kind::exit, i, b.exits[i].room, b.exits[i].at);
+  }
   for (std::size_t i = 0; i < b.links.size(); ++i) {
     look_at(CueLandmark::Kind::link, i, b.links[i].room_a, b.links[i].at_a);
     look_at(CueLandmark::Kind::link, i, b.links[i].room_b, b.links[i].at_b);

@@ -12,7 +12,7 @@ namespace echoway::guidance {
 /// The door nearest to the wearer in their room, of kind CueKind::door; distance negative when there is none.
 [[nodiscard]] Cue nearest_door(const Router& router, const Estimate& estimate);
 
-/// The nearest way out of the wearer's room: a door, an exit, stairs or an elevator. Distance negative when there is none.
+/// The nearest way out of the wearer's room: a door, an exit, stairs or an elevator. Distance negative: there is none.
 [[nodiscard]] Cue nearest_passage(const Router& router, const Estimate& estimate);
 
 /// What the wearer looks at: a place, an exit, stairs or a door within 20 degrees and in sight, else the wall and how

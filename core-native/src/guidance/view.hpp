@@ -13,10 +13,10 @@ struct View {
   const Estimate* estimate = nullptr;
   double now = 0.0;
   bool vague = false;         ///< Only coarse instructions.
-  bool unproven = false;      ///< They are in the room where the tracker found them by itself: another may look the same.
+  bool unproven = false;      ///< They are where the tracker found them by itself: another room may look the same.
   bool walking = false;
   double speed = 0.0;
-  double pace = 0.0;          ///< At which they may walk on by themselves, metres a second: a wearer feels for a thing and goes on.
+  double pace = 0.0;          ///< Metres a second at which they may walk on by themselves, feeling for a thing.
   double still_since = 0.0;   ///< The wearer stands since then.
   double remaining = 0.0;     ///< Metres to the goal.
   Manoeuvre turn{};

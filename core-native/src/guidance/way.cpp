@@ -49,8 +49,9 @@ Status Way::check(RoomIndex room, std::optional<Vec2> at) const {
 /// The door or stairs of the way so far, while the wearer is in the same room.
 BoundFor Way::bound_for(const Estimate& e) const {
   for (const Waypoint& w : route_.waypoints) {
-    if (w.room == e.room && leaves_room(w)) return {w.kind, w.index, config_->other_way_m + 2.0 * std::min(e.sigma_m, 1.0)};
-    if (leaves_room(w)) break;
+    if (!leaves_room(w)) continue;
+    if (w.room != e.room) break;
+    return {w.kind, w.index, config_->other_way_m + 2.0 * std::min(e.sigma_m, 1.0)};
   }
   return {};
 }
@@ -87,7 +88,8 @@ void Way::compare_doors() {
     if (leaves_room(w)) new_doors_.push_back(w.index);
   }
   // Doors passed drop off the front; a door just passed comes back for a moment when the room is in doubt.
-  const bool same = is_suffix(new_doors_, doors_) || (new_doors_.size() == doors_.size() + 1 && is_suffix(doors_, new_doors_));
+  const bool one_more = new_doors_.size() == doors_.size() + 1;
+  const bool same = is_suffix(new_doors_, doors_) || (one_more && is_suffix(doors_, new_doors_));
   changed_ = !same && !doors_.empty();
   if (changed_) {
     new_ = true;
@@ -111,6 +113,8 @@ bool Way::leads_through(std::int32_t door) const noexcept {
 
 void Way::note_progress() noexcept { least_cost_ = std::min(least_cost_, route_.cost); }
 
-bool Way::is_astray(double sigma_m) const noexcept { return route_.cost > least_cost_ + config_->wrong_way_m + 2.0 * sigma_m; }
+bool Way::is_astray(double sigma_m) const noexcept {
+  return route_.cost > least_cost_ + config_->wrong_way_m + 2.0 * sigma_m;
+}
 
 }  // namespace echoway::guidance

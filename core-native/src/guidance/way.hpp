@@ -12,8 +12,8 @@
 
 namespace echoway::guidance {
 
-/// The way from wherever the wearer is, to a destination or back along breadcrumbs, laid out anew each time and led round
-/// things that no plan knows. Knows whether it is the one that the wearer was told.
+/// The way from wherever the wearer is, to a destination or back along breadcrumbs, laid out anew each time and led
+/// round things that no plan knows. Knows whether it is the one that the wearer was told.
 class Way {
  public:
   /// REQUIRES: both outlive this.
@@ -31,7 +31,7 @@ class Way {
 
   /// Lays the way out from here; false when there is none.
   [[nodiscard]] bool find(const Estimate& estimate);
-  /// Where the way leads at first from here, in the room's frame; the way that find() laid out stays. None when there is none.
+  /// Where the way leads at first from here, in the room's frame, if there is one; the way that find() laid out stays.
   [[nodiscard]] std::optional<double> heading_from(const Estimate& estimate);
   /// Whether the last find() came upon other doors than the one before.
   [[nodiscard]] bool has_changed() const noexcept { return changed_; }

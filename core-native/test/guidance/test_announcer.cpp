@@ -21,7 +21,8 @@ TEST(Announcer, AnotherDoorInTheSameWordsIsSaidTwiceOnlyWhenAsked) {
   const GuideConfig config;
   Announcer voice(config);
   ASSERT_TRUE(voice.offer(door_to_the_right(0, feet(6.0)), 0.0));
-  EXPECT_FALSE(voice.offer(door_to_the_right(1, feet(6.0)), 5.0)) << "nobody can tell the two doors apart by these words";
+  EXPECT_FALSE(voice.offer(door_to_the_right(1, feet(6.0)), 5.0))
+      << "nobody can tell the two doors apart by these words";
   EXPECT_TRUE(voice.offer(door_to_the_right(1, feet(4.0)), 6.0)) << "nearer, in other words";
   EXPECT_TRUE(voice.offer(door_to_the_right(1, feet(4.0)), 9.0, true)) << "asked";
   EXPECT_TRUE(voice.offer(door_to_the_right(2, feet(6.0)), 9.0 + config.repeat_gap_s));

@@ -1,4 +1,4 @@
-// The proof of guidance in short: blindfolded wearers who know nothing but the cues (docs/guidance.md has the long one).
+// The proof of guidance in short: blindfolded wearers who know nothing but the cues. The long one: docs/guidance.md.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -109,7 +109,8 @@ TEST(ClosedLoop, WhoIsTakenToBeBesideWhereTheyStandFindsTheDoorAllTheSame) {
       PlaceAside source(seed, {0.0, off});
       Random random(seed);
       const Spot start{0, {1.0, random.uniform(0.8, 3.2)}};
-      const WalkOutcome o = test::walk_blindfolded(router, start, 0.0, {Goal::Kind::spot, 0, {1, {3.0, 2.0}}}, source, {}, seed);
+      const Goal goal{Goal::Kind::spot, 0, {1, {3.0, 2.0}}};
+      const WalkOutcome o = test::walk_blindfolded(router, start, 0.0, goal, source, {}, seed);
       arrived += o.arrived ? 1 : 0;
     }
     EXPECT_GE(arrived, kAgain - 1) << off;

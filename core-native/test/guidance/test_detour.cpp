@@ -133,8 +133,9 @@ TEST_F(DetourTest, LeadsRoundAThingInWhichACornerOfTheWayLies) {
   std::vector<Vec2> thing;  // two metres broad, with more room to its left than to its right
   for (double x = 2.0; x < 4.0; x += 0.15) thing.push_back({x, 2.0});
   for (const Vec2 at : thing) hindrances.hear(0, at, 0.0);
-  std::vector<LinePoint> line{
-      {{2.6, 1.2}, WaypointKind::start, -1}, {{2.8, 2.0}, WaypointKind::turn, -1}, {{2.4, 5.5}, WaypointKind::goal, -1}};
+  std::vector<LinePoint> line{{{2.6, 1.2}, WaypointKind::start, -1},
+                              {{2.8, 2.0}, WaypointKind::turn, -1},
+                              {{2.4, 5.5}, WaypointKind::goal, -1}};
   hindrances.bend(space, 0, 0.0, line);
   std::vector<Vec2> led;
   for (const LinePoint& p : line) led.push_back(p.at);

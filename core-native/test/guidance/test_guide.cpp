@@ -40,6 +40,20 @@ Estimate lost(double time_s) {
   return e;
 }
 
+/// What a belt hears that has `free_m` of room about one side of the chest, and little about the others.
+auto free_about(double side, double free_m = 3.0) {
+  return [=](double bearing) { return std::abs(wrap_angle(bearing - side)) < degrees(70.0) ? free_m : 0.6; };
+}
+
+/// The same with room on the left and on the right.
+auto free_aside(double left_m, double right_m) {
+  return [=](double bearing) {
+    const bool aside = std::abs(std::abs(bearing) - kPi / 2) < degrees(70.0);
+    if (!aside) return 0.6;
+    return bearing > 0.0 ? left_m : right_m;
+  };
+}
+
 std::vector<CueKind> kinds(const std::vector<Cue>& cues) {
   std::vector<CueKind> result;
   for (const Cue& cue : cues) result.push_back(cue.kind);
@@ -311,7 +325,7 @@ std::optional<double> way_asked_for(const Cue& cue) {
 
 TEST_F(GuideTest, LostItSendsTheWearerOnlyWhereTheBeltHearsThatItIsFree) {
   (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
-  const auto cues = wearer.hear(40.0, lost(0), [](double bearing) { return std::abs(bearing - kPi / 2) < degrees(70.0) ? 3.0 : 0.6; });
+  const auto cues = wearer.hear(40.0, lost(0), free_about(kPi / 2));
   int asked = 0;
   for (const Cue& cue : cues) {
     const auto way = way_asked_for(cue);
@@ -327,7 +341,7 @@ TEST_F(GuideTest, LostItAsksForNoStepAsideOrBack) {
   // To who counts steps, and does not see which way they go, they are steps ahead.
   (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
   for (const double free : {0.0, kPi / 2, -kPi / 2, kPi}) {
-    for (const Cue& cue : wearer.hear(60.0, lost(0), [&](double bearing) { return std::abs(wrap_angle(bearing - free)) < degrees(70.0) ? 3.0 : 0.6; })) {
+    for (const Cue& cue : wearer.hear(60.0, lost(0), free_about(free))) {
       if (cue.kind == CueKind::probe_step) {
         EXPECT_EQ(sector_of(cue.direction), Sector::ahead);
       }
@@ -338,7 +352,7 @@ TEST_F(GuideTest, LostItAsksForNoStepAsideOrBack) {
 TEST_F(GuideTest, LostItLeadsOnAndNotToAndFro) {
   (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
   // Free on both sides, and a little farther to the left whichever way the wearer faces.
-  const auto corridor = [](double bearing) { return std::abs(std::abs(bearing) - kPi / 2) < degrees(70.0) ? (bearing > 0 ? 3.2 : 3.0) : 0.6; };
+  const auto corridor = free_aside(3.2, 3.0);
   Estimate somewhere = lost(0);
   std::vector<double> ways;  // by where the chest faced at first
   for (int turn = 0; turn < 12; ++turn) {
@@ -360,7 +374,7 @@ TEST_F(GuideTest, LostItSearchesOnTheWayThatTheBestGuessTells) {
   Estimate guess = lost(0);
   guess.pose = {{2.5, 1.0}, 0.0};
   // A little farther to the right.
-  const auto hall = [](double bearing) { return std::abs(std::abs(bearing) - kPi / 2) < degrees(70.0) ? (bearing > 0 ? 3.0 : 3.2) : 0.6; };
+  const auto hall = free_aside(3.0, 3.2);
   std::vector<double> ways;
   for (const Cue& cue : wearer.hear(40.0, guess, hall)) {
     if (const auto way = way_asked_for(cue)) ways.push_back(*way);
@@ -369,7 +383,8 @@ TEST_F(GuideTest, LostItSearchesOnTheWayThatTheBestGuessTells) {
   EXPECT_EQ(sector_of(ways.front()), Sector::left);
 }
 
-/// Two rooms `width` metres wide, one above the other; stairs a metre before the end, and a desk at the far end upstairs.
+/// Two rooms `width` metres wide, one above the other; stairs a metre before the end, and upstairs a desk at the far
+/// end.
 Building two_levels(double width) {
   Building b;
   b.rooms.push_back(test::make_box("1", width, 4));
@@ -388,7 +403,7 @@ TEST(Guide, ALostWearerIsAskedForNoMoreThanAStepWhereThereMayBeStairs) {
     const std::vector<Hypothesis> places = {{0, {place, 0.0}, 0.2, 0.5}};
     double longest = 0.0;
     for (int i = 0; i < 60; ++i) {
-      for (const Cue& cue : wearer.hear(1.0, lost(0), [](double bearing) { return std::abs(bearing) < degrees(70.0) ? 3.5 : 0.6; }, places)) {
+      for (const Cue& cue : wearer.hear(1.0, lost(0), free_about(0.0, 3.5), places)) {
         if (way_asked_for(cue)) longest = std::max({longest, cue.distance_m, cue.tail.distance_m, 0.6});
       }
     }
@@ -440,7 +455,8 @@ TEST_F(GuideTest, LostItSendsTheWearerRatherToWhereSomethingAnswers) {
 TEST_F(GuideTest, LostItSendsTheWearerRatherToWhereTheLikelyPlacesHaveNoWall) {
   (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
   const std::vector<Hypothesis> places = {{0, {{0.3, 2.5}, kPi}, 0.3, 0.8}, {0, {{2.5, 2.5}, 0.0}, 0.3, 0.2}};
-  const auto cues = wearer.hear(40.0, lost(0), [](double bearing) { return std::abs(bearing) < degrees(80.0) ? 3.0 : 2.0; }, places);
+  const auto farther_ahead = [](double bearing) { return std::abs(bearing) < degrees(80.0) ? 3.0 : 2.0; };
+  const auto cues = wearer.hear(40.0, lost(0), farther_ahead, places);
   int asked = 0;
   for (const Cue& cue : cues) {
     const auto way = way_asked_for(cue);
@@ -465,7 +481,9 @@ TEST_F(GuideTest, LostItKeepsAWalkerFromWhatTheBeltHearsAhead) {
   (void)wearer.stand(3.0, 0, {1, 2.5}, 0.0);
   Estimate walking = lost(0);
   walking.speed_mps = 0.8;
-  const auto ahead = [](double range) { return [range](double bearing) { return std::abs(bearing) < 0.1 ? range : 5.0; }; };
+  const auto ahead = [](double range) {
+    return [range](double bearing) { return std::abs(bearing) < 0.1 ? range : 5.0; };
+  };
   EXPECT_THAT(kinds(wearer.hear(6.0, walking, ahead(4.0))), Not(Contains(CueKind::stop)));
   EXPECT_THAT(kinds(wearer.hear(6.0, walking, ahead(0.8))), Contains(CueKind::stop));
 }
@@ -550,11 +568,12 @@ TEST_F(GuideTest, WhoIsFoundAsTheyWalkIsNotToldATurnThatTheyWouldMakeTooLate) {
 TEST_F(GuideTest, WhoIsFoundAsTheySetOffIsLedOnceTheyWalk) {
   ASSERT_TRUE(guide.set_destination({Goal::Kind::spot, 0, {0, {2.5, 4.3}}}));
   (void)wearer.stand(3.0, 0, {2.5, 1.0}, 0.0);
-  const auto ahead = [](double bearing) { return std::abs(bearing) < degrees(70.0) ? 3.0 : 0.6; };
+  const auto ahead = free_about(0.0);
   Estimate guess = lost(0);
   guess.pose = {{2.5, 1.0}, 0.0};
   std::vector<Cue> asked;
-  while (wearer.now < 60.0 && std::none_of(asked.begin(), asked.end(), [](const Cue& c) { return c.kind == CueKind::go_straight; })) {
+  const auto to_walk = [](const Cue& cue) { return cue.kind == CueKind::go_straight; };
+  while (wearer.now < 60.0 && std::none_of(asked.begin(), asked.end(), to_walk)) {
     asked = wearer.hear(0.9, guess, ahead);
   }
   ASSERT_THAT(kinds(asked), Contains(CueKind::go_straight));
@@ -696,7 +715,8 @@ TEST_F(GuideTest, WhoStandsWhereTheEchoesDoNotFitIsToldASlightTurnToo) {
   (void)wearer.stand(1.5, 0, {1, 2.5}, 0.0);
   unfit.state = TrackState::lost;
   const auto cues = wearer.stay(15.0, unfit);
-  const auto turn = std::find_if(cues.begin(), cues.end(), [](const Cue& c) { return c.kind == CueKind::turn || c.tail.present; });
+  const auto turns = [](const Cue& cue) { return cue.kind == CueKind::turn || cue.tail.present; };
+  const auto turn = std::find_if(cues.begin(), cues.end(), turns);
   ASSERT_NE(turn, cues.end()) << "without it nobody would ever face their way";
   EXPECT_EQ(sector_of(turn->kind == CueKind::turn ? turn->direction : turn->tail.direction), Sector::slightly_right);
 }
@@ -743,7 +763,9 @@ std::optional<Cue> first_step_beside_a_wall(double heard_right_m) {
   Listener wearer(b);
   Estimate here = at(0, 0, {4.0, 1.85}, 115.0);
   here.sigma_m = 0.35;
-  const auto heard = [=](double bearing) { return std::abs(bearing + degrees(85.0)) < 0.25 ? heard_right_m : Firing::kNoEcho; };
+  const auto heard = [=](double bearing) {
+    return std::abs(bearing + degrees(85.0)) < 0.25 ? heard_right_m : Firing::kNoEcho;
+  };
   (void)wearer.hear(3.0, here, heard);
   EXPECT_TRUE(wearer.guide.set_destination({Goal::Kind::spot, 0, {0, {9.0, 1.6}}}));
   return first_step(wearer.hear(8.0, here, heard));
@@ -778,7 +800,9 @@ TEST(Guide, WhoHearsTheNextRoomThroughTheDoorIsSentThroughItWithoutWaitingToBeKn
   ASSERT_TRUE(step);
   EXPECT_EQ(step->kind, CueKind::go_straight);
   EXPECT_GT(step->distance_m, 1.0) << "into the next room";
-  for (const double heard : {0.9, Firing::kNoEcho}) EXPECT_FALSE(first_step_before_a_door(heard)) << heard << ": it may be the wall";
+  for (const double heard : {0.9, Firing::kNoEcho}) {
+    EXPECT_FALSE(first_step_before_a_door(heard)) << heard << ": it may be the wall";
+  }
 }
 
 TEST_F(GuideTest, WhoHearsAWallWhereTheDoorShouldBeIsLedAlongItAndNotIntoIt) {
@@ -864,7 +888,9 @@ TEST(Guide, WhatIsHeardBesideTheWearerIsLedRoundWhenTheyTurnThere) {
   const auto first_turn = [&](double beside) {
     Listener wearer(hall);
     const Estimate here = at(0, 0, {4, 4}, 0.0);
-    (void)wearer.hear(4.0, here, [&](double bearing) { return std::abs(bearing - kPi / 2) < degrees(15.0) ? beside : Firing::kNoEcho; });
+    (void)wearer.hear(4.0, here, [&](double bearing) {
+      return std::abs(bearing - kPi / 2) < degrees(15.0) ? beside : Firing::kNoEcho;
+    });
     EXPECT_TRUE(wearer.guide.set_destination({Goal::Kind::spot, 0, {0, {4, 7}}}));
     const auto cues = wearer.hear(4.0, here, [](double) { return Firing::kNoEcho; });
     const auto turn = std::find_if(cues.begin(), cues.end(), [](const Cue& c) { return c.kind == CueKind::turn; });
@@ -913,7 +939,9 @@ TEST_F(GuideTest, WhoWalkedMeanwhileHasMissedTwoLinesAndMetNothing) {
   EXPECT_THAT(kinds(wearer.stand(8.0, 0, {0.7, 1.0}, 0.0)), Contains(CueKind::go_straight));
   Estimate walking = at(0, 0, {0.7, 1.0}, 0.0);
   walking.speed_mps = 0.6;
-  for (const double end = wearer.now + 1.0; wearer.now < end; walking.pose.position.x += 0.6 * kSlot) (void)wearer.stay(kSlot, walking);
+  for (const double end = wearer.now + 1.0; wearer.now < end; walking.pose.position.x += 0.6 * kSlot) {
+    (void)wearer.stay(kSlot, walking);
+  }
   const auto cues = kinds(wearer.stand(14.0, 0, walking.pose.position, 0.0));
   EXPECT_THAT(cues, Contains(CueKind::go_straight));
   EXPECT_THAT(cues, Not(Contains(CueKind::turn))) << "round what is not there";
@@ -948,7 +976,9 @@ TEST_F(GuideTest, TellsOfTheBeltOnceEach) {
 
 TEST_F(GuideTest, LeadsBackTheWayTheWearerCame) {
   (void)wearer.stand(2.0, 0, {1, 1}, 0.0);
-  for (const Vec2 on_the_way : {Vec2{2, 2}, {2.5, 2.5}, {3.5, 2.5}, {4.5, 2.5}}) (void)wearer.stand(1.0, 0, on_the_way, 0.0);
+  for (const Vec2 on_the_way : {Vec2{2, 2}, {2.5, 2.5}, {3.5, 2.5}, {4.5, 2.5}}) {
+    (void)wearer.stand(1.0, 0, on_the_way, 0.0);
+  }
   for (const Vec2 beyond : {Vec2{0.3, 2.5}, {1, 2.5}}) (void)wearer.stand(1.0, 1, beyond, 0.0);
   ASSERT_TRUE(guide.back_track());
   (void)wearer.stand(1.0, 1, {1.6, 2.5}, 0.0);
@@ -1024,7 +1054,7 @@ TEST_F(GuideTest, DoubtsAPlaceThatNobodyToldWhereTheWearerGetsNowhere) {
   EXPECT_FALSE(guide.take_doubt()) << "once is enough";
 }
 
-/// Nobody told where they start; the tracker finds them at `position` by their slow turn, and they face along the x axis.
+/// Nobody told where they start; the tracker finds them at `position` by their slow turn. They face along the x axis.
 void find_by_a_turn(Listener& wearer, RoomIndex room, Vec2 position) {
   (void)wearer.stay(4.0, lost(0));
   (void)wearer.turn_about(9.0, room, position);
@@ -1034,7 +1064,8 @@ void find_by_a_turn(Listener& wearer, RoomIndex room, Vec2 position) {
 TEST_F(GuideTest, WhoIsFoundAtTheirDestinationIsToldSoOnceThePlaceHasStoodADoubt) {
   ASSERT_TRUE(guide.set_destination("Lectern"));
   (void)wearer.stay(4.0, lost(0));
-  EXPECT_THAT(kinds(wearer.turn_about(5.0, 1, {3.5, 4.0})), Not(Contains(CueKind::arrived))) << "it may be a room like this one";
+  EXPECT_THAT(kinds(wearer.turn_about(5.0, 1, {3.5, 4.0})), Not(Contains(CueKind::arrived)))
+      << "it may be a room like this one";
   EXPECT_TRUE(guide.take_doubt());
   EXPECT_THAT(kinds(wearer.stand(8.0, 1, {3.5, 4.0}, 0.0)), Contains(CueKind::arrived));
   EXPECT_FALSE(guide.take_doubt()) << "once is enough";

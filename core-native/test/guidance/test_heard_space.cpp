@@ -70,14 +70,16 @@ TEST(HeardSpace, WhatIsHeardToASideIsTheNearestSteadyEchoFromThere) {
   EXPECT_FALSE(toward(0.0)) << "it moves";
 }
 
-/// Two passes in which the sensors within 30 degrees of the chest hear `ahead_m`, and one that looks to `aside_deg` `aside_m`.
+/// Two passes in which the sensors within 30 degrees of the chest hear `ahead_m`, and one that looks to `aside_deg`
+/// hears `aside_m`.
 Heard hear_ahead(double ahead_m, double aside_deg, double aside_m) {
   Heard heard;
   for (int k = 0; k < 2; ++k, heard.now += kPass) {
     for (int i = 0; i < heard.belt.sensors; ++i) {
       const double bearing = wrap_angle(heard.belt.bearing(i));
       const bool aside = std::abs(bearing - degrees(aside_deg)) < degrees(1.0);
-      heard.space.on_firing({heard.now, i, aside ? aside_m : std::abs(bearing) < degrees(30.0) ? ahead_m : Firing::kNoEcho});
+      const double straight_m = std::abs(bearing) < degrees(30.0) ? ahead_m : Firing::kNoEcho;
+      heard.space.on_firing({heard.now, i, aside ? aside_m : straight_m});
     }
   }
   return heard;

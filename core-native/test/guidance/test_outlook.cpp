@@ -24,7 +24,8 @@ Estimate at(Vec2 position, double heading_deg, double sigma_m = 0.02) {
 /// Two rooms side by side, 5 m square, a door between their middles.
 class OutlookTest : public ::testing::Test {
  protected:
-  [[nodiscard]] bool clear(const Estimate& e, double direction_deg, double pace = 0.0, const Demand& demand = {}) const {
+  [[nodiscard]] bool clear(const Estimate& e, double direction_deg, double pace = 0.0,
+                           const Demand& demand = {}) const {
     const View view{.estimate = &e, .pace = pace};
     return outlook.clear_ahead(view, make_cue(CueKind::turn), degrees(direction_deg), demand);
   }
@@ -74,7 +75,8 @@ TEST_F(OutlookTest, ThingsThatNoPlanKnowsCountUnlessOnlyWallsAreAskedFor) {
 TEST_F(OutlookTest, BeyondADoorwayTheNextRoomIsLookedAt) {
   const Estimate before_door = at({4.6, 2.5}, 0.0);
   EXPECT_TRUE(clear(before_door, 0.0, 0.8, {3.0, 0.0}));
-  EXPECT_FALSE(clear(before_door, 0.0, 0.8, {5.0, 0.0})) << "they will be a metre inside by then, and its wall is 4 m ahead";
+  EXPECT_FALSE(clear(before_door, 0.0, 0.8, {5.0, 0.0}))
+      << "they will be a metre inside by then, and its wall is 4 m ahead";
 }
 
 TEST_F(OutlookTest, AStraightWalkEndsBeforeAWallAndGoesThroughDoorways) {
@@ -94,7 +96,8 @@ TEST(Standing, WhoStandsIsWhereTheyWereOnTheWhole) {
   Estimate settled;
   for (int i = 0; i < 40; ++i) settled = standing.settle(at({2.0 + (i % 2 == 0 ? 0.1 : -0.1), 1.0}, 0.0, 0.1), false);
   EXPECT_NEAR(settled.pose.position.x, 2.0, 0.01) << "one position that errs says little";
-  EXPECT_NEAR(standing.settle(at({2.3, 1.0}, 0.0, 0.5), false).pose.position.x, 2.0, 0.01) << "still less one that is unsure";
+  EXPECT_NEAR(standing.settle(at({2.3, 1.0}, 0.0, 0.5), false).pose.position.x, 2.0, 0.01)
+      << "still less one that is unsure";
   EXPECT_NEAR(standing.settle(at({3.0, 1.0}, 0.0, 0.1), false).pose.position.x, 3.0, 1e-9) << "they were moved";
   EXPECT_NEAR(standing.settle(at({3.2, 1.0}, 0.0, 0.1), true).pose.position.x, 3.2, 1e-9) << "they walk";
 }
