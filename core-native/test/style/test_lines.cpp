@@ -1,0 +1,59 @@
+// How the sources are written.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace echoway {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::ptrdiff_t kColumns = 120;  // As .clang-format says.
+
+const fs::path kRoot = ECHOWAY_ROOT_DIR;
+
+// Folders that still have longer lines.
+const std::vector<std::string> kExceptions = {"core-native/src/tracker/", "core-native/test/tracker/"};
+
+bool is_source(const fs::path& file) {
+  const std::string extension = file.extension().string();
+  return extension == ".cpp" || extension == ".hpp";
+}
+
+bool is_exception(const std::string& file) {
+  return std::ranges::any_of(kExceptions, [&](const std::string& folder) { return file.starts_with(folder); });
+}
+
+/// Characters of a line in UTF-8, which goes on in bytes that begin with the bits 10.
+std::ptrdiff_t columns(const std::string& line) {
+  return std::ranges::count_if(line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+}
+
+/// `file:line` of each that is too long.
+std::vector<std::string> long_lines(const fs::path& folder) {
+  std::vector<std::string> found;
+  for (auto entry = fs::recursive_directory_iterator(folder); entry != fs::recursive_directory_iterator(); ++entry) {
+    if (entry->is_directory() && entry->path().filename() == "build") entry.disable_recursion_pending();
+    const std::string name = fs::relative(entry->path(), kRoot).generic_string();
+    if (!entry->is_regular_file() || !is_source(entry->path()) || is_exception(name)) continue;
+    std::ifstream in(entry->path());
+    int number = 0;
+    for (std::string line; std::getline(in, line);) {
+      ++number;
+      if (columns(line) > kColumns) found.push_back(name + ":" + std::to_string(number));
+    }
+  }
+  return found;
+}
+
+TEST(SourceLines, FitInTheColumnsOfTheClangFormat) {
+  EXPECT_THAT(long_lines(kRoot / "core-native"), testing::IsEmpty());
+}
+
+}  // namespace
+}  // namespace echoway
