@@ -13,7 +13,9 @@ android {
         externalNativeBuild {
             cmake {
                 // Pages of 16 KiB; contraction off is the core's own compile option.
-                arguments += listOf("-DANDROID_SUPPORT_FLEXIBLE_PAGE_SIZES=ON", "-DECHOWAY_JNI=ON", "-DECHOWAY_HOST=OFF")
+                arguments += listOf(
+                    "-DANDROID_SUPPORT_FLEXIBLE_PAGE_SIZES=ON", "-DECHOWAY_JNI=ON", "-DECHOWAY_HOST=OFF",
+                )
                 targets += "echoway_jni"
             }
         }

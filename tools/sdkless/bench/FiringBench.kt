@@ -11,14 +11,15 @@ import org.echoway.core.PlanLoader
 import org.echoway.core.Start
 
 /**
- * From the last byte of a sentence to the new estimate in Kotlin, on the walk that comes with the app. What the crossing
- * itself costs is measured with bytes that complete no sentence, so that the core has nothing to do.
+ * From the last byte of a sentence to the new estimate in Kotlin, on the walk that comes with the app. What the
+ * crossing itself costs is measured with bytes that complete no sentence, so that the core has nothing to do.
  */
 fun main(arguments: Array<String>) {
     val root = File(arguments[0])
     val building = File(root, "maps/torgersen-lab")
     val log = File(root, "app/src/main/assets/walks/torgersen-lab.scans.csv").bufferedReader().use { WalkLog.read(it) }
-    val sentences = log.firings.mapIndexed { i, firing -> firing.timeS to WireSentence.range(i, firing.sensor, firing.rangeM) }
+    val sentences =
+        log.firings.mapIndexed { i, firing -> firing.timeS to WireSentence.range(i, firing.sensor, firing.rangeM) }
     val room = PlanLoader.load(building).rooms.indexOfFirst { it.id == "1" }
 
     repeat(WARM_UP) { walk(building, room, sentences) }
@@ -30,7 +31,11 @@ fun main(arguments: Array<String>) {
         val threads = ManagementFactory.getThreadMXBean() as ThreadMXBean
         val before = threads.currentThreadAllocatedBytes
         for ((timeS, bytes) in sentences) session.onBytes(bytes, timeS)
-        println("allocated by feeding: %.1f bytes a firing".format((threads.currentThreadAllocatedBytes - before).toDouble() / sentences.size))
+        println(
+            "allocated by feeding: %.1f bytes a firing".format(
+                (threads.currentThreadAllocatedBytes - before).toDouble() / sentences.size,
+            ),
+        )
     }
 }
 
@@ -51,5 +56,9 @@ private fun walk(building: File, room: Int, sentences: List<Pair<Double, ByteArr
 
 private fun report(what: String, nanos: List<Long>) {
     val sorted = nanos.sorted()
-    println("%-22s median %.4f ms, 99 %% below %.4f ms".format(what, sorted[sorted.size / 2] / 1e6, sorted[sorted.size * 99 / 100] / 1e6))
+    println(
+        "%-22s median %.4f ms, 99 %% below %.4f ms".format(
+            what, sorted[sorted.size / 2] / 1e6, sorted[sorted.size * 99 / 100] / 1e6,
+        ),
+    )
 }

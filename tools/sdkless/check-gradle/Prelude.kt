@@ -1,5 +1,5 @@
-// What Gradle generates for a script: its plugins' extensions, and functions that take them. Names and types are checked
-// against Gradle's and the Android Gradle Plugin's own API; how a script behaves when it runs is not.
+// What Gradle generates for a script: its plugins' extensions, and functions that take them. Names and types are
+// checked against Gradle's and the Android Gradle Plugin's own API; how a script behaves when it runs is not.
 @file:Suppress("UNUSED_PARAMETER")
 
 import com.android.build.api.dsl.ApplicationExtension
@@ -34,7 +34,10 @@ interface DependenciesScope {
 fun Project.dependencies(block: DependenciesScope.() -> Unit) = Unit
 
 /** `maven("…")` of Gradle's Kotlin DSL. */
-fun RepositoryHandler.maven(url: Any, configure: org.gradle.api.artifacts.repositories.MavenArtifactRepository.() -> Unit) = Unit
+fun RepositoryHandler.maven(
+    url: Any,
+    configure: org.gradle.api.artifacts.repositories.MavenArtifactRepository.() -> Unit,
+) = Unit
 
 /** `property = value` of Gradle's Kotlin DSL. */
 fun <T : Any> Property<T>.assign(value: T) = set(value)

@@ -35,7 +35,9 @@ internal object BeltHealthLayout {
             temperatureC = from.getDouble(TEMPERATURE).takeIf { from.getInt(HAS_TEMPERATURE) != 0 },
             batteryV = from.getDouble(BATTERY).takeIf { from.getInt(HAS_BATTERY) != 0 },
             firmware = firmware(from),
-            sensors = List(from.getInt(SENSOR_COUNT).coerceIn(0, MAX_SENSORS)) { sensor(from, HEADER_BYTES + it * SENSOR_BYTES) },
+            sensors = List(from.getInt(SENSOR_COUNT).coerceIn(0, MAX_SENSORS)) {
+                sensor(from, HEADER_BYTES + it * SENSOR_BYTES)
+            },
         )
     }
 

@@ -12,9 +12,9 @@ enum class Severity {
 
 /** What sort of thing is wrong; ordinals as in the core, where each is explained (echoway/building/loader.hpp). */
 enum class FindingKind {
-    UNREADABLE, BAD_LINE, WRONG_COUNT, TOO_LARGE, NO_ROOMS, NO_CONFIG, OPEN_WALLS, UNKNOWN_ROOM, ROOM_ID, NAME, REPEATED,
-    NO_LENGTH, OFF_FLOOR, WALL_END, CUT_OFF, CORNER_OR_EDGE, SIZE, FAR_ORIGIN, DOOR_POSITION, DOOR_LINES, DOOR_WIDTH,
-    DOOR_LEVELS, LINK_LEVELS, DOOR_LOOP, UNREACHABLE, NO_PLACE, OVERLAP, MORE,
+    UNREADABLE, BAD_LINE, WRONG_COUNT, TOO_LARGE, NO_ROOMS, NO_CONFIG, OPEN_WALLS, UNKNOWN_ROOM, ROOM_ID, NAME,
+    REPEATED, NO_LENGTH, OFF_FLOOR, WALL_END, CUT_OFF, CORNER_OR_EDGE, SIZE, FAR_ORIGIN, DOOR_POSITION, DOOR_LINES,
+    DOOR_WIDTH, DOOR_LEVELS, LINK_LEVELS, DOOR_LOOP, UNREACHABLE, NO_PLACE, OVERLAP, MORE,
 }
 
 /**
@@ -41,7 +41,13 @@ data class BuildingCheck(val findings: List<Finding>) {
                 buffer.list { from ->
                     val severity = Severity.entries[from.getInt()]
                     val kind = FindingKind.entries[from.getInt()]
-                    Finding(severity, kind, line = from.getInt().takeIf { it > 0 }, file = from.text(), problem = from.text())
+                    Finding(
+                        severity,
+                        kind,
+                        line = from.getInt().takeIf { it > 0 },
+                        file = from.text(),
+                        problem = from.text(),
+                    )
                 },
             )
         }

@@ -53,8 +53,9 @@ data class MotionHint(val timeS: Double, val kind: MotionKind, val value: Double
 }
 
 /**
- * One wearer in one building: the core, behind its handle. Not thread-safe: one thread gives it everything and closes it.
- * Times are seconds on one monotonic clock. Feeding it allocates nothing; reading [estimate] allocates the value it returns.
+ * One wearer in one building: the core, behind its handle. Not thread-safe: one thread gives it everything and
+ * closes it. Times are seconds on one monotonic clock. Feeding it allocates nothing; reading [estimate] allocates
+ * the value it returns.
  */
 class CoreSession private constructor(handle: Long) : Closeable {
     private val handle = AtomicLong(handle)
@@ -106,7 +107,9 @@ class CoreSession private constructor(handle: Long) : Closeable {
     /** Forgets where the wearer is and has been, and starts over; a destination is kept, a way back ends. */
     fun restart(start: Start) {
         wish { error ->
-            NativeCore.restart(open(), start.room, start.at?.x.orNaN, start.at?.y.orNaN, start.heading.orNaN, estimateBuffer, error)
+            NativeCore.restart(
+                open(), start.room, start.at?.x.orNaN, start.at?.y.orNaN, start.heading.orNaN, estimateBuffer, error,
+            )
         }
     }
 
@@ -141,7 +144,9 @@ class CoreSession private constructor(handle: Long) : Closeable {
     /** Takes the next cue that is to be spoken, in words of [style]; null when there is none. */
     fun nextCue(style: SpeechStyle = SpeechStyle()): Cue? {
         val size = checked(
-            NativeCore.nextCue(open(), style.language.ordinal, style.direction.ordinal, style.length.ordinal, cueBuffer),
+            NativeCore.nextCue(
+                open(), style.language.ordinal, style.direction.ordinal, style.length.ordinal, cueBuffer,
+            ),
         )
         return if (size == 0) null else CueLayout.read(cueBuffer)
     }
@@ -152,24 +157,30 @@ class CoreSession private constructor(handle: Long) : Closeable {
     /** How far the nearest unmapped thing in the way is, metres from the chest; null when there is none. */
     val obstacleAheadM: Double? get() = NativeCore.obstacleAhead(open()).takeIf { it >= 0.0 }
 
-    // What a picture of the session needs. Each allocates what it returns: for a few times a second, not for every firing.
+    // What a picture of the session needs. Each allocates what it returns: for a few times a second, not
+    // for every firing.
 
     /** The way to the destination from where the wearer is. */
     val route: Route get() = PictureLayout.route(picture.fill { checked(NativeCore.route(open(), it)) })
 
     /** Where the wearer has been, oldest first, thinned. */
-    val breadcrumbs: List<Spot> get() = PictureLayout.spots(picture.fill { checked(NativeCore.breadcrumbs(open(), it)) })
+    val breadcrumbs: List<Spot>
+        get() = PictureLayout.spots(picture.fill { checked(NativeCore.breadcrumbs(open(), it)) })
 
     /** Places that explain the echoes, the most probable first. */
-    val hypotheses: List<Hypothesis> get() = PictureLayout.hypotheses(picture.fill { checked(NativeCore.hypotheses(open(), it)) })
+    val hypotheses: List<Hypothesis>
+        get() = PictureLayout.hypotheses(picture.fill { checked(NativeCore.hypotheses(open(), it)) })
 
-    /** The newest reading of each sensor, by sensor, with what in the plan explains it. The first call compiles the plan. */
+    /**
+     * The newest reading of each sensor, by sensor, with what in the plan explains it. The first call
+     * compiles the plan.
+     */
     val scan: List<ExplainedEcho> get() = PictureLayout.echoes(picture.fill { checked(NativeCore.scan(open(), it)) })
 
     /**
-     * Another session with another [belt] in the building as this one has loaded it: its files need not be there any more.
-     * The air is as this session has heard of it ([BeltSetup.temperatureC] is not looked at), the seed the same. Each is to
-     * be closed.
+     * Another session with another [belt] in the building as this one has loaded it: its files need not be there any
+     * more. The air is as this session has heard of it ([BeltSetup.temperatureC] is not looked at), the seed the same.
+     * Each is to be closed.
      *
      * @throws CoreException when there is no such belt or the start does not exist in the building
      */
@@ -219,7 +230,13 @@ class CoreSession private constructor(handle: Long) : Closeable {
         private const val PICTURE_BYTES = 4096
 
         /** @throws CoreException when the building is unusable or the start does not exist in it */
-        fun open(building: File, nowS: Double, start: Start = Start(), belt: BeltSetup = BeltSetup(), seed: Long = 1): CoreSession =
+        fun open(
+            building: File,
+            nowS: Double,
+            start: Start = Start(),
+            belt: BeltSetup = BeltSetup(),
+            seed: Long = 1,
+        ): CoreSession =
             opened(nowS) { error ->
                 NativeCore.open(
                     building.path,

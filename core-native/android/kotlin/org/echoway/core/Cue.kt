@@ -97,7 +97,8 @@ enum class Language(val tag: String) {
 
     companion object {
         /** The language of a BCP 47 tag, or English when there are no words in it. */
-        fun of(tag: String) = entries.firstOrNull { it.tag == tag.lowercase().substringBefore('-').substringBefore('_') } ?: ENGLISH
+        fun of(tag: String) =
+            entries.firstOrNull { it.tag == tag.lowercase().substringBefore('-').substringBefore('_') } ?: ENGLISH
     }
 }
 

@@ -29,7 +29,9 @@ internal object CueLayout {
             count = int(4),
             room = int(5),
             landmark = CueLandmark(LandmarkKind.entries[int(6)], int(7)),
-            tail = CueTail(CueKind.entries[int(9)], from.getDouble(TAIL), known(from.getDouble(TAIL + 8))).takeIf { int(8) != 0 },
+            tail = CueTail(CueKind.entries[int(9)], from.getDouble(TAIL), known(from.getDouble(TAIL + 8))).takeIf {
+                int(8) != 0
+            },
             words = words(from),
         )
     }

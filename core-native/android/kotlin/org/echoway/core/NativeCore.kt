@@ -49,9 +49,21 @@ internal object NativeCore {
 
     @JvmStatic external fun close(handle: Long)
 
-    @JvmStatic external fun onBytes(handle: Long, bytes: ByteBuffer, length: Int, arrivalS: Double, estimateOut: ByteBuffer): Int
+    @JvmStatic external fun onBytes(
+        handle: Long,
+        bytes: ByteBuffer,
+        length: Int,
+        arrivalS: Double,
+        estimateOut: ByteBuffer,
+    ): Int
 
-    @JvmStatic external fun onMotion(handle: Long, kind: Int, value: Double, timeS: Double, estimateOut: ByteBuffer): Int
+    @JvmStatic external fun onMotion(
+        handle: Long,
+        kind: Int,
+        value: Double,
+        timeS: Double,
+        estimateOut: ByteBuffer,
+    ): Int
 
     @JvmStatic external fun onTick(handle: Long, nowS: Double, estimateOut: ByteBuffer): Int
 
@@ -75,7 +87,13 @@ internal object NativeCore {
     /** Bytes written; 0 when there is no cue. */
     @JvmStatic external fun nextCue(handle: Long, language: Int, direction: Int, length: Int, out: ByteBuffer): Int
 
-    @JvmStatic external fun setDestination(handle: Long, kind: Int, index: Int, avoidStairs: Boolean, error: Array<String?>): Int
+    @JvmStatic external fun setDestination(
+        handle: Long,
+        kind: Int,
+        index: Int,
+        avoidStairs: Boolean,
+        error: Array<String?>,
+    ): Int
 
     @JvmStatic external fun backTrack(handle: Long, error: Array<String?>): Int
 

@@ -41,7 +41,8 @@ data class Room(
 )
 
 /**
- * What a room is called aloud, whatever the language: "Room [number], [name]". See `core-native/include/echoway/speech/room_name.hpp`.
+ * What a room is called aloud, whatever the language: "Room [number], [name]".
+ * See `core-native/include/echoway/speech/room_name.hpp`.
  *
  * @property number empty for a room that is called by its name alone
  * @property name empty when the number says all

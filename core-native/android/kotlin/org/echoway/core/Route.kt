@@ -40,8 +40,8 @@ enum class WaypointKind { START, TURN, DOOR, LINK_FROM, LINK_TO, GOAL }
 data class Waypoint(val spot: Spot, val kind: WaypointKind, val index: Int, val next: Spot?)
 
 /**
- * The way to the destination, straight in between waypoints; empty without one. At a door the next waypoint is in the next
- * room's frame.
+ * The way to the destination, straight in between waypoints; empty without one. At a door the next waypoint is in the
+ * next room's frame.
  *
  * @property lengthM walked, stairs counted with what they cost
  * @property clearanceM the least that it keeps from walls, doorways apart; infinite for an empty way
@@ -56,12 +56,26 @@ data class Route(
     val goal: Destination,
 ) {
     companion object {
-        val NONE = Route(emptyList(), 0.0, Double.POSITIVE_INFINITY, usesStairs = false, usesElevator = false, Destination(DestinationKind.SPOT))
+        val NONE = Route(
+            emptyList(),
+            0.0,
+            Double.POSITIVE_INFINITY,
+            usesStairs = false,
+            usesElevator = false,
+            Destination(DestinationKind.SPOT),
+        )
     }
 }
 
 /** One of several places that explain the echoes. [x], [y] in the room's frame, metres; [heading] in radians. */
-data class Hypothesis(val room: Int, val x: Double, val y: Double, val heading: Double, val sigmaM: Double, val probability: Double)
+data class Hypothesis(
+    val room: Int,
+    val x: Double,
+    val y: Double,
+    val heading: Double,
+    val sigmaM: Double,
+    val probability: Double,
+)
 
 /** What a reading came from; ordinals as in the core. */
 enum class Element { NONE, WALL, CORNER, EDGE, REFLECTOR }
@@ -75,7 +89,13 @@ enum class Element { NONE, WALL, CORNER, EDGE, REFLECTOR }
  * @property at where the sound turned back, with the room in whose frame it is; null without an [element]
  * @property expectedM what the range should be by the plan; null without an [element]
  */
-data class ExplainedEcho(val timeS: Double, val rangeM: Double?, val element: Element, val at: Spot?, val expectedM: Double?)
+data class ExplainedEcho(
+    val timeS: Double,
+    val rangeM: Double?,
+    val element: Element,
+    val at: Spot?,
+    val expectedM: Double?,
+)
 
 /** Reads what a picture of the session needs; see `core-native/jni/layouts.hpp`. */
 internal object PictureLayout {

@@ -79,7 +79,9 @@ open class PhoneContainer(private val context: Context) : AppContainer {
         DataStoreSettings(DataStoreSettings.inFile { context.preferencesDataStoreFile("settings") })
     }
 
-    override val buildings: BuildingLibrary by lazy { BuildingLibrary.on(context, BundledBuildings(context, installed())) }
+    override val buildings: BuildingLibrary by lazy {
+        BuildingLibrary.on(context, BundledBuildings(context, installed()))
+    }
 
     override val navigator by lazy {
         val core = Executors.newSingleThreadExecutor { Thread(it, "echoway-core") }
@@ -131,13 +133,16 @@ open class PhoneContainer(private val context: Context) : AppContainer {
 
     private suspend fun recordedWalk(name: String?) = withContext(Dispatchers.IO) {
         // The name comes from settings; only files of our own folder may be read.
-        val file = recordings.folder.listFiles().orEmpty().firstOrNull { it.name == name } ?: throw IOException("there is no such recording")
+        val file = recordings.folder.listFiles().orEmpty().firstOrNull { it.name == name }
+            ?: throw IOException("there is no such recording")
         val motion = File(file.parentFile, file.name.removeSuffix(Recordings.SCANS) + Recordings.MOTION)
         WalkLog.read(file.bufferedReader(), motion.takeIf { it.isFile && it != file }?.bufferedReader())
     }
 
     private fun stepsAllowed() = Build.VERSION.SDK_INT < Build.VERSION_CODES.Q ||
-        ContextCompat.checkSelfPermission(context, Manifest.permission.ACTIVITY_RECOGNITION) == PackageManager.PERMISSION_GRANTED
+        ContextCompat.checkSelfPermission(
+            context, Manifest.permission.ACTIVITY_RECOGNITION,
+        ) == PackageManager.PERMISSION_GRANTED
 
     /** When this app was installed or updated last. Its version is no measure: one that is being worked on keeps it. */
     private fun installed(): Long = context.packageManager.getPackageInfo(context.packageName, 0).lastUpdateTime

@@ -53,8 +53,8 @@ class MainActivity : ComponentActivity() {
     }
 
     /**
-     * Plugging the belt in starts guidance; Android has then granted the use of the device. Guidance that waits for a belt
-     * which fell out goes on by itself: begun anew, it would take the wearer to be back at the entrance.
+     * Plugging the belt in starts guidance; Android has then granted the use of the device. Guidance that waits for a
+     * belt which fell out goes on by itself: begun anew, it would take the wearer to be back at the entrance.
      */
     private fun onUsbAttached(intent: Intent) {
         if (intent.action != UsbManager.ACTION_USB_DEVICE_ATTACHED || container.navigator.isLive) return
@@ -65,12 +65,15 @@ class MainActivity : ComponentActivity() {
     }
 
     /**
-     * Chords of the volume keys ask where they are chosen; a single key stays the volume's. In firefighter mode guidance's media
-     * session asks at every key that it is handed: it gets none from here, or a chord would ask as its first key does, too.
+     * Chords of the volume keys ask where they are chosen; a single key stays the volume's. In firefighter mode
+     * guidance's media session asks at every key that it is handed: it gets none from here, or a chord would ask as its
+     * first key does, too.
      */
     override fun dispatchKeyEvent(event: KeyEvent): Boolean {
         chords.loneKeysAsk = firefighter && container.navigator.state.value is NavigationState.Running
-        val key = VOLUME_KEYS[event.keyCode]?.takeIf { (chords.chordsAsk || chords.loneKeysAsk) && event.action in KEY_ACTIONS }
+        val key = VOLUME_KEYS[event.keyCode]?.takeIf {
+            (chords.chordsAsk || chords.loneKeysAsk) && event.action in KEY_ACTIONS
+        }
             ?: return super.dispatchKeyEvent(event)
         if (event.isCanceled) {
             chords.onTakenBack(key)
@@ -102,7 +105,8 @@ class MainActivity : ComponentActivity() {
         setup.useRecording(nameOf(uri).ifEmpty { "walk.scans.csv" }) { contentResolver.openPicked(uri) }
 
     private companion object {
-        val VOLUME_KEYS = mapOf(KeyEvent.KEYCODE_VOLUME_UP to VolumeKey.UP, KeyEvent.KEYCODE_VOLUME_DOWN to VolumeKey.DOWN)
+        val VOLUME_KEYS =
+            mapOf(KeyEvent.KEYCODE_VOLUME_UP to VolumeKey.UP, KeyEvent.KEYCODE_VOLUME_DOWN to VolumeKey.DOWN)
         val KEY_ACTIONS = setOf(KeyEvent.ACTION_DOWN, KeyEvent.ACTION_UP)
 
         /** Providers disagree on what a CSV file is. */

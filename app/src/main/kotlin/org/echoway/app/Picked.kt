@@ -16,9 +16,13 @@ fun Context.nameOf(uri: Uri): String = runCatching {
 }.getOrNull().orEmpty()
 
 /** @throws IOException when the document is not to be had */
-fun ContentResolver.openPicked(uri: Uri): InputStream = provided { openInputStream(uri) } ?: throw FileNotFoundException("$uri")
+fun ContentResolver.openPicked(uri: Uri): InputStream =
+    provided { openInputStream(uri) } ?: throw FileNotFoundException("$uri")
 
-/** Copies it to [to] if it holds at most [most] bytes, and returns how many; null if it holds more: it must not fill the phone. */
+/**
+ * Copies it to [to] if it holds at most [most] bytes, and returns how many; null if it holds more: it must not
+ * fill the phone.
+ */
 fun InputStream.copyAtMost(most: Long, to: File): Long? {
     val buffer = ByteArray(BUFFER_BYTES)
     var total = 0L

@@ -53,7 +53,12 @@ import org.junit.runner.RunWith
 class WalkTest {
     private val context = ApplicationProvider.getApplicationContext<Context>()
 
-    private class Walk(val voice: RecordingVoice, val buzzer: RecordingBuzzer, val navigator: Navigator, val guide: Guide)
+    private class Walk(
+        val voice: RecordingVoice,
+        val buzzer: RecordingBuzzer,
+        val navigator: Navigator,
+        val guide: Guide,
+    )
 
     /** Plays the walk that comes with the app, in virtual time; [distort] changes what the belt sends. */
     private fun walking(
@@ -90,8 +95,12 @@ class WalkTest {
 
     /** Rooms that were really walked through, with the time each was entered. */
     private val truth: List<Pair<Double, String>> by lazy {
-        val rows = javaClass.getResourceAsStream("/walks/torgersen-lab.truth.csv")!!.bufferedReader().readLines().drop(1).map { it.split(',') }
-        rows.map { it[0].toDouble() to it[1] }.fold(emptyList()) { way, row -> if (way.lastOrNull()?.second == row.second) way else way + row }
+        val rows = javaClass.getResourceAsStream("/walks/torgersen-lab.truth.csv")!!.bufferedReader()
+            .readLines()
+            .drop(1)
+            .map { it.split(',') }
+        rows.map { it[0].toDouble() to it[1] }
+            .fold(emptyList()) { way, row -> if (way.lastOrNull()?.second == row.second) way else way + row }
     }
 
     private fun Flow<BeltEvent>.silentBetween(fromS: Double, untilS: Double) =
@@ -100,7 +109,9 @@ class WalkTest {
     /** Sensor 1 fails: the belt says so with every sentence from then on. */
     private fun Flow<BeltEvent>.withFault(atS: Double) = transform { event ->
         emit(event)
-        if (event is BeltEvent.Bytes && event.arrivalS >= atS) emit(BeltEvent.Bytes(WireSentence.sentence("EWF,1,2"), event.arrivalS))
+        if (event is BeltEvent.Bytes && event.arrivalS >= atS) {
+            emit(BeltEvent.Bytes(WireSentence.sentence("EWF,1,2"), event.arrivalS))
+        }
     }
 
     private val entering = Regex("Room (\\w+), [^.]+\\.")
@@ -110,13 +121,20 @@ class WalkTest {
         val told = walk.voice.heard.filter { entering.matches(it.text) }
         assertEquals(truth.map { it.second }, told.map { entering.matchEntire(it.text)!!.groupValues[1] })
         told.zip(truth).forEach { (line, entered) ->
-            assertTrue("${line.text} at ${line.timeS} s, entered at ${entered.first} s", line.timeS - entered.first in -1.5..5.0)
+            assertTrue(
+                "${line.text} at ${line.timeS} s, entered at ${entered.first} s",
+                line.timeS - entered.first in -1.5..5.0,
+            )
         }
-        assertTrue("nothing was lost on the way: ${walk.voice.words}", walk.voice.words.none { it.startsWith("Not sure") })
+        assertTrue(
+            "nothing was lost on the way: ${walk.voice.words}", walk.voice.words.none { it.startsWith("Not sure") },
+        )
         assertEquals(listOf("Recorded walk. Not where you really are.", "Belt connected."), walk.voice.words.take(2))
         assertEquals("The recorded walk is over.", walk.voice.words.last())
         assertTrue("${walk.voice.words}", walk.voice.words.any { Regex("Lectern [a-z ]+, [a-z ]+\\.").matches(it) })
-        walk.voice.words.filter { it.startsWith("Door ") }.forEach { assertTrue(it, Regex("Door [a-z ]+, [a-z ]+ (feet|foot)\\.").matches(it)) }
+        walk.voice.words.filter { it.startsWith("Door ") }.forEach {
+            assertTrue(it, Regex("Door [a-z ]+, [a-z ]+ (feet|foot)\\.").matches(it))
+        }
     }
 
     @Test fun everyRoomIsFelt() = walking { walk ->
@@ -130,7 +148,8 @@ class WalkTest {
         advanceTimeBy(((inSeminarRoom.first.first + inSeminarRoom.second.first) / 2 * 1000).toLong())
         walk.guide.ask(Ask.WHERE_AM_I)
         advanceTimeBy(12_000)
-        val answer = walk.voice.words.takeLast(walk.voice.words.size - walk.voice.words.lastIndexOf("Room 4, Seminar room.")).take(3)
+        val words = walk.voice.words
+        val answer = words.drop(words.lastIndexOf("Room 4, Seminar room.")).take(3)
         assertTrue("$answer", answer[1].startsWith("Facing "))
         assertTrue("$answer", Regex("Door [a-z ]+, [a-z ]+\\.").matches(answer[2]))
     }

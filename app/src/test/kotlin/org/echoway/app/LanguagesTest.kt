@@ -22,12 +22,16 @@ class LanguagesTest {
 
     private fun items(element: Element): List<String> {
         val items = element.getElementsByTagName("item")
-        return if (items.length == 0) listOf(element.textContent) else (0 until items.length).map { items.item(it).textContent }
+        return if (items.length == 0) listOf(element.textContent) else (0 until items.length).map {
+            items.item(it).textContent
+        }
     }
 
     private fun places(texts: List<String>) = texts.flatMap { text -> PLACE.findAll(text).map { it.value } }.toSet()
 
-    private fun inEveryLanguage(check: (language: String, english: Map<String, List<String>>, other: Map<String, List<String>>) -> Unit) {
+    private fun inEveryLanguage(
+        check: (language: String, english: Map<String, List<String>>, other: Map<String, List<String>>) -> Unit,
+    ) {
         val english = texts("values")
         for (language in listOf("de", "fr")) check(language, english, texts("values-$language"))
     }
@@ -38,7 +42,9 @@ class LanguagesTest {
     }
 
     @Test fun whatIsFilledInIsTheSame() = inEveryLanguage { language, english, other ->
-        other.forEach { (name, texts) -> assertEquals("$name in $language", places(english.getValue(name)), places(texts)) }
+        other.forEach { (name, texts) ->
+            assertEquals("$name in $language", places(english.getValue(name)), places(texts))
+        }
     }
 
     @Test fun arraysAreAsLong() {

@@ -33,10 +33,11 @@ class MainActivityTest {
     private val app = ApplicationProvider.getApplicationContext<TestApp>()
     private val plugged = Intent(app, MainActivity::class.java).setAction(UsbManager.ACTION_USB_DEVICE_ATTACHED)
 
-    private fun launch(intent: Intent, test: (Activity) -> Unit) = ActivityScenario.launch<MainActivity>(intent).use { scenario ->
-        ShadowLooper.idleMainLooper()
-        scenario.onActivity(test)
-    }
+    private fun launch(intent: Intent, test: (Activity) -> Unit) =
+        ActivityScenario.launch<MainActivity>(intent).use { scenario ->
+            ShadowLooper.idleMainLooper()
+            scenario.onActivity(test)
+        }
 
     @Test fun pluggingTheBeltInStartsGuidanceWithIt() {
         shadowOf(app).grantPermissions(Manifest.permission.POST_NOTIFICATIONS, Manifest.permission.ACTIVITY_RECOGNITION)

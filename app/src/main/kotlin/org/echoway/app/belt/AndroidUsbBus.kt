@@ -41,7 +41,8 @@ class AndroidUsbBus(
         awaitClose { context.unregisterReceiver(receiver) }
     }
 
-    override fun belt(): UsbBelt? = manager.deviceList.values.firstNotNullOfOrNull { device -> probe(device)?.let { Belt(device, it) } }
+    override fun belt(): UsbBelt? =
+        manager.deviceList.values.firstNotNullOfOrNull { device -> probe(device)?.let { Belt(device, it) } }
 
     private inner class Belt(private val device: UsbDevice, private val driver: UsbSerialDriver) : UsbBelt {
         /** Android gives a device a new name at every plugging-in. */
@@ -49,9 +50,12 @@ class AndroidUsbBus(
         override val permitted: Boolean get() = manager.hasPermission(device)
 
         override fun requestPermission() {
-            // Mutable, because the system adds the answer; to this package alone, because a mutable intent must be explicit.
+            // Mutable, because the system adds the answer; to this package alone, because a mutable intent
+            // must be explicit.
             val answer = Intent(ACTION_PERMISSION).setPackage(context.packageName)
-            manager.requestPermission(device, PendingIntent.getBroadcast(context, 0, answer, PendingIntent.FLAG_MUTABLE))
+            manager.requestPermission(
+                device, PendingIntent.getBroadcast(context, 0, answer, PendingIntent.FLAG_MUTABLE),
+            )
         }
 
         override fun open(): SerialLine {

@@ -56,7 +56,8 @@ class ReplayedBelt(private val clock: Clock, private val load: suspend () -> Wal
         if (restMs > 0) delay(restMs)
     }
 
-    private fun firstTime(log: WalkLog) = minOf(log.firings.first().timeS, log.hints.firstOrNull()?.timeS ?: Double.MAX_VALUE)
+    private fun firstTime(log: WalkLog) =
+        minOf(log.firings.first().timeS, log.hints.firstOrNull()?.timeS ?: Double.MAX_VALUE)
 
     private companion object {
         const val STATUS_PERIOD_S = 1.0

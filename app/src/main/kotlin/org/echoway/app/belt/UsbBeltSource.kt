@@ -13,8 +13,8 @@ import kotlinx.coroutines.flow.withIndex
 import org.echoway.app.Clock
 
 /**
- * A belt on the USB port: waits for it, asks for permission at each plugging-in and when the wearer wishes to be asked once
- * more, opens it, and starts over when it is gone.
+ * A belt on the USB port: waits for it, asks for permission at each plugging-in and when the wearer wishes to be asked
+ * once more, opens it, and starts over when it is gone.
  */
 class UsbBeltSource(private val bus: UsbBus, private val clock: Clock) : BeltSource {
     override val bringsMotion = false
@@ -34,16 +34,18 @@ class UsbBeltSource(private val bus: UsbBus, private val clock: Clock) : BeltSou
 
     /** Until the belt may be used or is gone. It is asked for only once the answer would be heard. */
     private suspend fun FlowCollector<BeltEvent>.awaitPermission(belt: UsbBelt) {
-        merge(bus.changes.map { it == UsbChange.REFUSED }, askedAgain.map { null }).withIndex().first { (index, refused) ->
-            val now = bus.belt()
-            val over = now?.id != belt.id || now.permitted
-            when {
-                over -> Unit
-                index == 0 || refused == null -> ask(now)
-                refused -> emit(BeltEvent.PermissionRefused)
+        merge(bus.changes.map { it == UsbChange.REFUSED }, askedAgain.map { null })
+            .withIndex()
+            .first { (index, refused) ->
+                val now = bus.belt()
+                val over = now?.id != belt.id || now.permitted
+                when {
+                    over -> Unit
+                    index == 0 || refused == null -> ask(now)
+                    refused -> emit(BeltEvent.PermissionRefused)
+                }
+                over
             }
-            over
-        }
         if (bus.belt() == null) emit(BeltEvent.Detached)
     }
 

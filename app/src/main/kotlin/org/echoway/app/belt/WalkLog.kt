@@ -44,8 +44,12 @@ data class WalkLog(
                 LoggedFiring(number(time), sensor.toInt(), range.ifEmpty { null }?.let(::length))
             }
             if (firings.isEmpty()) throw IOException("the log holds no firing")
-            if (firings.any { it.sensor !in 0 until belt.sensors }) throw IOException("the log names a sensor that its belt does not have")
-            val hints = motion?.let { reader -> rows(reader, MOTION_COLUMNS) { (time, kind, value) -> hint(number(time), kind, number(value)) } }
+            if (firings.any { it.sensor !in 0 until belt.sensors }) {
+                throw IOException("the log names a sensor that its belt does not have")
+            }
+            val hints = motion?.let { reader ->
+                rows(reader, MOTION_COLUMNS) { (time, kind, value) -> hint(number(time), kind, number(value)) }
+            }
             return WalkLog(belt, firings, hints.orEmpty(), restarts)
         }
 
@@ -53,7 +57,9 @@ data class WalkLog(
         private fun withComment(belt: BeltSetup, comment: String): BeltSetup {
             val (key, word) = words(comment).takeIf { it.size == 2 } ?: return belt
             fun value(range: ClosedFloatingPointRange<Double>, unit: Double = 0.0) = number(word).also {
-                if (it !in range || unit > 0.0 && it % unit != 0.0) throw NumberFormatException("$word is no sensible value for $key")
+                if (it !in range || unit > 0.0 && it % unit != 0.0) {
+                    throw NumberFormatException("$word is no sensible value for $key")
+                }
             }
             return when (key) {
                 "sensors" -> belt.copy(sensors = value(1.0..MAX_SENSORS, unit = 1.0).toInt())
@@ -67,7 +73,9 @@ data class WalkLog(
 
         private fun words(comment: String) = comment.split(' ', '\t').filter { it.isNotEmpty() }
 
-        /** `restart time_s room x_m y_m heading_deg`, a `-` where something was not said; any other comment is prose. */
+        /**
+         * `restart time_s room x_m y_m heading_deg`, a `-` where something was not said; any other comment is prose.
+         */
         private fun restart(comment: String): LoggedRestart? {
             val words = words(comment)
             if (words.size != RESTART_WORDS || words[0] != "restart") return null
@@ -77,7 +85,12 @@ data class WalkLog(
         }
 
         private fun hint(timeS: Double, kind: String, value: Double) = when (kind) {
-            "step" -> if (value == 1.0) MotionHint(timeS, MotionKind.STEP, value) else throw NumberFormatException("a step of $value, not 1")
+            "step" ->
+                if (value == 1.0) {
+                    MotionHint(timeS, MotionKind.STEP, value)
+                } else {
+                    throw NumberFormatException("a step of $value, not 1")
+                }
             "yaw_rate_dps" -> MotionHint(timeS, MotionKind.YAW_RATE, Math.toRadians(value))
             "heading_deg" -> MotionHint(timeS, MotionKind.HEADING, Math.toRadians(value))
             else -> throw NumberFormatException("unknown kind $kind")
@@ -123,7 +136,8 @@ data class WalkLog(
             return value
         }
 
-        private fun length(text: String) = number(text).also { if (it < 0.0) throw NumberFormatException("a range of $text m") }
+        private fun length(text: String) =
+            number(text).also { if (it < 0.0) throw NumberFormatException("a range of $text m") }
 
         private fun <T> numbered(number: Int, line: String, read: () -> T): T = try {
             read()

@@ -9,4 +9,9 @@ interface BuildingFiles {
 }
 
 /** What a building may at most be. The largest known has some 400 files and less than 1 MB. */
-data class ImportLimits(val files: Int = 5_000, val bytes: Long = 32L shl 20, val archiveBytes: Long = 32L shl 20, val depth: Int = 8)
+data class ImportLimits(
+    val files: Int = 5_000,
+    val bytes: Long = 32L shl 20,
+    val archiveBytes: Long = 32L shl 20,
+    val depth: Int = 8,
+)

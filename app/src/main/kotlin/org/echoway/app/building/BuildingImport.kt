@@ -15,9 +15,9 @@ data class Imported(val id: String, val findings: List<Finding>)
 class UnusableBuilding(val findings: List<Finding>) : Exception(findings.firstOrNull()?.problem)
 
 /**
- * Takes buildings in from what the wearer picked. Files come from anywhere: their names are not trusted, neither is what
- * they say of their own size. A building is laid out in [workshop], looked through by the core, and moved below [home] as
- * a whole; whatever goes wrong, nothing is left behind. Not for the main thread.
+ * Takes buildings in from what the wearer picked. Files come from anywhere: their names are not trusted, neither is
+ * what they say of their own size. A building is laid out in [workshop], looked through by the core, and moved below
+ * [home] as a whole; whatever goes wrong, nothing is left behind. Not for the main thread.
  *
  * [isTaken] tells ids that are in use elsewhere.
  *
@@ -46,7 +46,9 @@ class BuildingImport(
             if (!workshop.mkdirs()) throw ImportException(ImportProblem.DISK_FULL)
             return work()
         } catch (e: IOException) {
-            throw ImportException(if (e.isDiskFull) ImportProblem.DISK_FULL else ImportProblem.UNREADABLE, e.message.orEmpty(), e)
+            throw ImportException(
+                if (e.isDiskFull) ImportProblem.DISK_FULL else ImportProblem.UNREADABLE, e.message.orEmpty(), e,
+            )
         } finally {
             workshop.deleteRecursively()
         }
@@ -84,9 +86,13 @@ class BuildingImport(
 
     private fun safeParts(path: String): List<String> {
         val parts = path.split('/')
-        val unsafe = parts.any { it.isEmpty() || it == "." || it == ".." || '\\' in it || ':' in it || it.any(Char::isISOControl) }
+        val unsafe = parts.any {
+            it.isEmpty() || it == "." || it == ".." || '\\' in it || ':' in it || it.any(Char::isISOControl)
+        }
         if (unsafe || parts.size > limits.depth + 1) throw ImportException(ImportProblem.UNSAFE_NAME, path)
-        if (parts.any { it.toByteArray().size > MAX_NAME_BYTES }) throw ImportException(ImportProblem.BAD_NAME, path.take(MAX_NAME_BYTES))
+        if (parts.any { it.toByteArray().size > MAX_NAME_BYTES }) {
+            throw ImportException(ImportProblem.BAD_NAME, path.take(MAX_NAME_BYTES))
+        }
         return parts
     }
 
@@ -101,8 +107,15 @@ class BuildingImport(
     }
 
     private fun freeId(name: String): String {
-        val base = name.lowercase().substringBeforeLast(".zip").replace(Regex("[^\\p{L}\\p{N}]+"), "-").trim('-').take(MAX_ID).ifEmpty { "building" }
-        return generateSequence(1) { it + 1 }.map { if (it == 1) base else "$base-$it" }.first { !isTaken(it) && !File(home, it).exists() }
+        val base = name.lowercase()
+            .substringBeforeLast(".zip")
+            .replace(Regex("[^\\p{L}\\p{N}]+"), "-")
+            .trim('-')
+            .take(MAX_ID)
+            .ifEmpty { "building" }
+        return generateSequence(1) { it + 1 }
+            .map { if (it == 1) base else "$base-$it" }
+            .first { !isTaken(it) && !File(home, it).exists() }
     }
 
     private companion object {

@@ -17,8 +17,8 @@ import org.echoway.core.Finding
 import org.echoway.core.PlanLoader
 
 /**
- * The floor plans that came with the app, and those that the wearer brought, each in a folder of its own below [home]. Where
- * an update brings one of the same id as the wearer has, theirs is the one until they delete it.
+ * The floor plans that came with the app, and those that the wearer brought, each in a folder of its own below [home].
+ * Where an update brings one of the same id as the wearer has, theirs is the one until they delete it.
  */
 class BuildingLibrary(private val bundled: Buildings, private val home: File, private val workshop: File) : Buildings {
     private val changes = MutableStateFlow(0)
@@ -38,7 +38,10 @@ class BuildingLibrary(private val bundled: Buildings, private val home: File, pr
     /** Of the wearer's own, where there is one. */
     override suspend fun folder(id: String): File? = withContext(Dispatchers.IO) { own(id) } ?: bundled.folder(id)
 
-    /** What the core would mend in the building that [find] finds, or why there is none to be found. Empty for one that is not there. */
+    /**
+     * What the core would mend in the building that [find] finds, or why there is none to be found. Empty for one that
+     * is not there.
+     */
     suspend fun check(id: String): List<Finding> = withContext(Dispatchers.IO) {
         val own = own(id)?.let(BuildingCheck::of)
         val used = own?.takeIf { it.usable } ?: bundled.folder(id)?.let(BuildingCheck::of) ?: own

@@ -57,7 +57,10 @@ class BundledBuildings(private val context: Context, installed: Long) : Building
         null
     }
 
-    /** One at a time: a belt that is plugged in asks while the screen does. On a phone that is full there are none until it has room. */
+    /**
+     * One at a time: a belt that is plugged in asks while the screen does. On a phone that is full there are none until
+     * it has room.
+     */
     private suspend fun install() = installing.withLock {
         val partial = File(folder.parentFile, "partial")
         try {

@@ -9,7 +9,11 @@ import org.echoway.app.openPicked
 import org.echoway.app.provided
 
 /** The files below a folder that was picked with the system's picker. */
-class PickedFolder(private val resolver: ContentResolver, private val tree: Uri, private val limits: ImportLimits) : BuildingFiles {
+class PickedFolder(
+    private val resolver: ContentResolver,
+    private val tree: Uri,
+    private val limits: ImportLimits,
+) : BuildingFiles {
     private var seen = 0
 
     override fun forEach(visit: (path: String, open: () -> InputStream) -> Unit) {
@@ -22,7 +26,11 @@ class PickedFolder(private val resolver: ContentResolver, private val tree: Uri,
         if (depth > limits.depth) throw ImportException(ImportProblem.TOO_MANY_FILES, path)
         for (child in children(id)) {
             if (++seen > limits.files) throw ImportException(ImportProblem.TOO_MANY_FILES)
-            if (child.isFolder) visitFolder(child.id, "$path${child.name}/", depth + 1, visit) else visit("$path${child.name}") { open(child.id) }
+            if (child.isFolder) {
+                visitFolder(child.id, "$path${child.name}/", depth + 1, visit)
+            } else {
+                visit("$path${child.name}") { open(child.id) }
+            }
         }
     }
 
@@ -31,7 +39,8 @@ class PickedFolder(private val resolver: ContentResolver, private val tree: Uri,
     private fun children(id: String): List<Child> {
         val uri = DocumentsContract.buildChildDocumentsUriUsingTree(tree, id)
         val columns = arrayOf(Document.COLUMN_DOCUMENT_ID, Document.COLUMN_DISPLAY_NAME, Document.COLUMN_MIME_TYPE)
-        val cursor = provided { resolver.query(uri, columns, null, null, null) } ?: throw ImportException(ImportProblem.UNREADABLE)
+        val cursor = provided { resolver.query(uri, columns, null, null, null) }
+            ?: throw ImportException(ImportProblem.UNREADABLE)
         return cursor.use {
             buildList {
                 while (it.moveToNext() && size <= limits.files) {
@@ -41,5 +50,6 @@ class PickedFolder(private val resolver: ContentResolver, private val tree: Uri,
         }
     }
 
-    private fun open(id: String): InputStream = resolver.openPicked(DocumentsContract.buildDocumentUriUsingTree(tree, id))
+    private fun open(id: String): InputStream =
+        resolver.openPicked(DocumentsContract.buildDocumentUriUsingTree(tree, id))
 }

@@ -15,7 +15,9 @@ class ZippedBuilding(private val archive: File, private val limits: ImportLimits
                 val entries = zip.entries.asSequence().take(limits.files + 1).toList()
                 if (entries.size > limits.files) throw ImportException(ImportProblem.TOO_MANY_FILES)
                 entries.forEach(::check)
-                entries.filterNot { it.isDirectory || it.isClutter }.forEach { entry -> visit(entry.name) { zip.getInputStream(entry) } }
+                entries.filterNot { it.isDirectory || it.isClutter }.forEach { entry ->
+                    visit(entry.name) { zip.getInputStream(entry) }
+                }
             }
         } catch (e: IOException) {
             throw ImportException(ImportProblem.UNREADABLE, e.message.orEmpty(), e)
@@ -26,8 +28,8 @@ class ZippedBuilding(private val archive: File, private val limits: ImportLimits
     }
 
     /**
-     * Whether the archive has at most so many entries, before it is opened: to list a million takes more memory than a phone
-     * has. What it says of their number may be a lie, but none is without its signature.
+     * Whether the archive has at most so many entries, before it is opened: to list a million takes more memory than a
+     * phone has. What it says of their number may be a lie, but none is without its signature.
      */
     private fun hasAtMost(most: Int, signature: Int): Boolean {
         val buffer = ByteArray(BUFFER_BYTES)
@@ -50,14 +52,16 @@ class ZippedBuilding(private val archive: File, private val limits: ImportLimits
         when {
             entry.generalPurposeBit.usesEncryption() -> throw ImportException(ImportProblem.ENCRYPTED, entry.name)
             entry.isUnixSymlink -> throw ImportException(ImportProblem.UNSAFE_NAME, entry.name)
-            REPLACEMENT in entry.name || !entry.rawName.isUtf8() -> throw ImportException(ImportProblem.BAD_NAME, entry.name)
+            REPLACEMENT in entry.name || !entry.rawName.isUtf8() ->
+                throw ImportException(ImportProblem.BAD_NAME, entry.name)
         }
     }
 
     /** What some systems add of their own. */
     private val ZipArchiveEntry.isClutter get() = name.startsWith("__MACOSX/") || name.endsWith(".DS_Store")
 
-    private fun ByteArray.isUtf8() = runCatching { Charsets.UTF_8.newDecoder().decode(java.nio.ByteBuffer.wrap(this)) }.isSuccess
+    private fun ByteArray.isUtf8() =
+        runCatching { Charsets.UTF_8.newDecoder().decode(java.nio.ByteBuffer.wrap(this)) }.isSuccess
 
     private companion object {
         const val BUFFER_BYTES = 1 shl 16

@@ -13,8 +13,8 @@ import org.echoway.app.guide.Ask
 import org.echoway.app.guide.Asking
 
 /**
- * Guidance as a media player that always plays: its buttons ask. "Next" and "previous" need something to go to, so it says
- * that it plays the middle one of three pieces.
+ * Guidance as a media player that always plays: its buttons ask. "Next" and "previous" need something to go to, so it
+ * says that it plays the middle one of three pieces.
  */
 internal class GuidancePlayer(private val title: String, private val asking: Asking, private val clock: Clock) :
     SimpleBasePlayer(Looper.getMainLooper()) {
@@ -40,7 +40,11 @@ internal class GuidancePlayer(private val title: String, private val asking: Ask
 
     override fun handleSetPlayWhenReady(playWhenReady: Boolean) = ask(Ask.WHERE_AM_I)
 
-    override fun handleSeek(mediaItemIndex: Int, positionMs: Long, seekCommand: Int): ListenableFuture<*> = when (seekCommand) {
+    override fun handleSeek(
+        mediaItemIndex: Int,
+        positionMs: Long,
+        seekCommand: Int,
+    ): ListenableFuture<*> = when (seekCommand) {
         COMMAND_SEEK_TO_NEXT, COMMAND_SEEK_TO_NEXT_MEDIA_ITEM -> ask(Ask.REPEAT)
         COMMAND_SEEK_TO_PREVIOUS, COMMAND_SEEK_TO_PREVIOUS_MEDIA_ITEM -> ask(Ask.WAY_OUT)
         else -> Futures.immediateVoidFuture()
@@ -65,7 +69,10 @@ internal class GuidancePlayer(private val title: String, private val asking: Ask
         return Futures.immediateVoidFuture()
     }
 
-    /** A key that is held, in a glove, repeats itself. Both pressed together come one after the other: the second asks nothing more. */
+    /**
+     * A key that is held, in a glove, repeats itself. Both pressed together come one after the other: the second
+     * asks nothing more.
+     */
     private fun onKey(key: VolumeKey): ListenableFuture<*> {
         val now = clock.nowS()
         val asksNoMore = now - pressedS < if (key == lastKey) HELD_S else TOGETHER_S
@@ -85,7 +92,8 @@ internal class GuidancePlayer(private val title: String, private val asking: Ask
         const val TOGETHER_S = 0.3
         const val VOLUME = 1
         val LOUDSPEAKER: DeviceInfo = DeviceInfo.Builder(DeviceInfo.PLAYBACK_TYPE_LOCAL).build()
-        val KEYS: DeviceInfo = DeviceInfo.Builder(DeviceInfo.PLAYBACK_TYPE_REMOTE).setMinVolume(0).setMaxVolume(2 * VOLUME).build()
+        val KEYS: DeviceInfo =
+            DeviceInfo.Builder(DeviceInfo.PLAYBACK_TYPE_REMOTE).setMinVolume(0).setMaxVolume(2 * VOLUME).build()
         val COMMANDS: Player.Commands = Player.Commands.Builder().addAll(
             COMMAND_PLAY_PAUSE, COMMAND_STOP, COMMAND_RELEASE, COMMAND_SEEK_TO_NEXT, COMMAND_SEEK_TO_PREVIOUS,
             COMMAND_SEEK_TO_NEXT_MEDIA_ITEM, COMMAND_SEEK_TO_PREVIOUS_MEDIA_ITEM, COMMAND_GET_CURRENT_MEDIA_ITEM,

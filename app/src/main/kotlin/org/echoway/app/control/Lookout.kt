@@ -23,8 +23,8 @@ interface Siren {
 }
 
 /**
- * Firefighter mode's alarm for a wearer who has not moved. Runs with the screen off for as long as guidance does; words,
- * vibration and siren come together, for smoke, noise and gloves take each of them away.
+ * Firefighter mode's alarm for a wearer who has not moved. Runs with the screen off for as long as guidance does;
+ * words, vibration and siren come together, for smoke, noise and gloves take each of them away.
  */
 class Lookout(private val siren: Siren, private val clock: Clock, private val tell: (Message) -> Unit) {
     private val judged = MutableStateFlow(Stillness.MOVING)
@@ -33,15 +33,20 @@ class Lookout(private val siren: Siren, private val clock: Clock, private val te
 
     val stillness: StateFlow<Stillness> = judged.asStateFlow()
 
-    /** Watches while firefighter mode is chosen and guidance goes on: without it nobody's movements are seen. Until it is cancelled. */
+    /**
+     * Watches while firefighter mode is chosen and guidance goes on: without it nobody's movements are seen. Until
+     * it is cancelled.
+     */
     suspend fun run(states: StateFlow<NavigationState>, settings: Flow<Settings>) {
         var watching = false
         val goesOn = states.map { it is NavigationState.Running }.distinctUntilChanged()
-        combine(settings, goesOn) { wanted, on -> if (wanted.firefighter && on) wanted.notMovedAlertS else 0 }.distinctUntilChanged().collectLatest { seconds ->
-            if (watching && seconds == 0) tell(Message.WatchEnded)
-            watching = seconds > 0
-            if (watching) watchOver(states, seconds.toDouble())
-        }
+        combine(settings, goesOn) { wanted, on -> if (wanted.firefighter && on) wanted.notMovedAlertS else 0 }
+            .distinctUntilChanged()
+            .collectLatest { seconds ->
+                if (watching && seconds == 0) tell(Message.WatchEnded)
+                watching = seconds > 0
+                if (watching) watchOver(states, seconds.toDouble())
+            }
     }
 
     /** The wearer, or who found them, ends the alarm. */

@@ -12,7 +12,8 @@ import org.echoway.app.guide.Asking
 class MediaControls(context: Context, asking: Asking, clock: Clock, presence: Presence) : Closeable {
     private val player = GuidancePlayer(context.getString(R.string.app_name), asking, clock)
     private val keys = MediaKeys(asking, Handler(player.applicationLooper))
-    internal val session: MediaSession = MediaSession.Builder(context, player).setId("guidance").setCallback(keys).build()
+    internal val session: MediaSession =
+        MediaSession.Builder(context, player).setId("guidance").setCallback(keys).build()
 
     /** The volume keys ask, with the screen off too. */
     var takesVolumeKeys by player::takesVolumeKeys

@@ -10,8 +10,8 @@ import org.echoway.app.guide.Asking
 
 /**
  * The keys that headsets send. Android would pass on only those that suit what a player does just now ("play" is none
- * while it plays), and Media3 tells two presses of a headset's one button apart at most; here every key asks, and the one
- * button asks by the number of its presses.
+ * while it plays), and Media3 tells two presses of a headset's one button apart at most; here every key asks, and the
+ * one button asks by the number of its presses.
  *
  * @param handler of the thread that the session lives on
  */
@@ -23,7 +23,11 @@ internal class MediaKeys(private val asking: Asking, private val handler: Handle
         asking.ask(ask)
     }
 
-    override fun onMediaButtonEvent(session: MediaSession, controllerInfo: MediaSession.ControllerInfo, intent: Intent): Boolean {
+    override fun onMediaButtonEvent(
+        session: MediaSession,
+        controllerInfo: MediaSession.ControllerInfo,
+        intent: Intent,
+    ): Boolean {
         val key = IntentCompat.getParcelableExtra(intent, Intent.EXTRA_KEY_EVENT, KeyEvent::class.java) ?: return false
         if (key.keyCode !in ONE_BUTTON && key.keyCode !in BY_KEY) return false
         // A key that is held repeats itself; it is one press.

@@ -10,8 +10,8 @@ fun interface Presence {
 }
 
 /**
- * Android sends media buttons to the app that was heard last, and the speech engine is another app. A tenth of a second of
- * silence of our own makes us the one.
+ * Android sends media buttons to the app that was heard last, and the speech engine is another app. A tenth of a second
+ * of silence of our own makes us the one.
  */
 class MomentOfSilence : Presence {
     override fun claim() {

@@ -12,8 +12,8 @@ enum class Stillness {
 }
 
 /**
- * Watches over a wearer who does not move: a warning [WARNING_S] before the alarm, which motion takes back; then the alarm,
- * which it does not. No certified alarm (PASS): see docs/voice-and-touch.md.
+ * Watches over a wearer who does not move: a warning [WARNING_S] before the alarm, which motion takes back; then the
+ * alarm, which it does not. No certified alarm (PASS): see docs/voice-and-touch.md.
  *
  * @param alarmAfterS seconds without a movement until the alarm; 0 for never
  */

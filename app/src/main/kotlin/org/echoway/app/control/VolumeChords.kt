@@ -7,8 +7,8 @@ import org.echoway.app.guide.Asking
 enum class VolumeKey(val alone: Ask) { UP(Ask.WHERE_AM_I), DOWN(Ask.WAY_BACK) }
 
 /**
- * Both volume keys together ask; one alone still changes the volume, or asks too where [loneKeysAsk]. Which one was pressed
- * first tells chords apart, and how long both are held:
+ * Both volume keys together ask; one alone still changes the volume, or asks too where [loneKeysAsk]. Which one was
+ * pressed first tells chords apart, and how long both are held:
  *
  * - up, then down: where am I
  * - down, then up: repeat
@@ -36,7 +36,10 @@ class VolumeChords(private val asking: Asking) {
         return taken || loneKeysAsk
     }
 
-    /** A key that Android takes back (a call came over it, it was half of a screenshot) was let go by nobody, and asks nothing. */
+    /**
+     * A key that Android takes back (a call came over it, it was half of a screenshot) was let go by nobody,
+     * and asks nothing.
+     */
     fun onTakenBack(key: VolumeKey) {
         down.remove(key)
         chorded = down.isNotEmpty()

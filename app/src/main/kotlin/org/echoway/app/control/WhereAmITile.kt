@@ -12,7 +12,10 @@ import org.echoway.app.container
 import org.echoway.app.engine.NavigationState
 import org.echoway.app.guide.Ask
 
-/** "Where am I?" among the quick settings: two fingers down from the top, on the lock screen too. Without guidance it opens the app. */
+/**
+ * "Where am I?" among the quick settings: two fingers down from the top, on the lock screen too. Without guidance it
+ * opens the app.
+ */
 class WhereAmITile : TileService() {
     private val running get() = container.navigator.state.value is NavigationState.Running
 
@@ -21,7 +24,9 @@ class WhereAmITile : TileService() {
         val tile = qsTile ?: return
         tile.state = if (running) Tile.STATE_ACTIVE else Tile.STATE_INACTIVE
         tile.label = getString(R.string.where_am_i)
-        if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.Q) tile.subtitle = getString(if (running) R.string.app_name else R.string.state_off)
+        if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.Q) {
+            tile.subtitle = getString(if (running) R.string.app_name else R.string.state_off)
+        }
         tile.updateTile()
     }
 

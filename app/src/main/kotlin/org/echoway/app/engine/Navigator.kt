@@ -42,7 +42,9 @@ import org.echoway.core.Start
 class Navigator(private val thread: CoroutineDispatcher, private val clock: Clock) : Core {
     private val published = MutableStateFlow<NavigationState>(NavigationState.Idle)
 
-    private val told = MutableSharedFlow<GuidanceEvent>(extraBufferCapacity = EVENTS_IN_FLIGHT, onBufferOverflow = BufferOverflow.DROP_OLDEST)
+    private val told = MutableSharedFlow<GuidanceEvent>(
+        extraBufferCapacity = EVENTS_IN_FLIGHT, onBufferOverflow = BufferOverflow.DROP_OLDEST,
+    )
     private val drawn = MutableStateFlow(Picture())
     private val wishes = Channel<Wish>(WISHES_IN_FLIGHT, BufferOverflow.DROP_OLDEST)
 
@@ -249,7 +251,9 @@ class Navigator(private val thread: CoroutineDispatcher, private val clock: Cloc
             val estimate = session.estimate
             if (abs(estimate.speedMps) > WALKING_MPS) movedS = clock.nowS()
             published.value =
-                NavigationState.Running(building, clock.nowS(), line, health, estimate, leading, session.obstacleAheadM, movedS, isLive)
+                NavigationState.Running(
+                    building, clock.nowS(), line, health, estimate, leading, session.obstacleAheadM, movedS, isLive,
+                )
             while (true) told.tryEmit(GuidanceEvent.Told(session.nextCue(style) ?: return))
         }
     }

@@ -24,7 +24,9 @@ sealed interface Wish {
 
     data object StopLeading : Wish
 
-    /** The wearer says where they stand, [place] if they can name it: all that was thought of it before is forgotten. */
+    /**
+     * The wearer says where they stand, [place] if they can name it: all that was thought of it before is forgotten.
+     */
     data class StandAt(val start: Start, val place: Destination? = null) : Wish
 
     /** To be asked once more whether the belt may be used. */

@@ -32,7 +32,12 @@ class Announcer {
     }
 
     fun onEvent(event: GuidanceEvent): List<Message> = when (event) {
-        is GuidanceEvent.Told -> if (event.cue.kind in OF_THE_BELT) emptyList() else listOfNotNull(Message.Told(event.cue), detail(event.cue))
+        is GuidanceEvent.Told ->
+            if (event.cue.kind in OF_THE_BELT) {
+                emptyList()
+            } else {
+                listOfNotNull(Message.Told(event.cue), detail(event.cue))
+            }
         is GuidanceEvent.Granted -> confirmation(event.wish)
         is GuidanceEvent.Refused -> listOfNotNull(refusal(event.wish), barrier(event.wish))
         is GuidanceEvent.BeltChanged -> listOf(Message.BeltChanged(event.sensors))
@@ -73,7 +78,11 @@ class Announcer {
 
     private fun refusal(wish: Wish): Message? = when (wish) {
         is Wish.LeadTo -> Message.CannotLead(
-            if (wish.destination.kind == DestinationKind.NEAREST_EXIT && plan?.exits.isNullOrEmpty()) NoWay.NO_EXIT_KNOWN else NoWay.NOT_REACHABLE,
+            if (wish.destination.kind == DestinationKind.NEAREST_EXIT && plan?.exits.isNullOrEmpty()) {
+                NoWay.NO_EXIT_KNOWN
+            } else {
+                NoWay.NOT_REACHABLE
+            },
         )
         Wish.BackTrack -> Message.CannotLead(NoWay.NOTHING_WALKED_YET)
         Wish.Repeat -> Message.NothingToRepeat
@@ -83,7 +92,9 @@ class Announcer {
 
     /** Whoever has not walked yet because the belt may not be used is told that too. */
     private fun barrier(wish: Wish): Message? =
-        Message.Unanswerable(NoAnswer.NotAllowed).takeIf { wish == Wish.BackTrack && withoutAnswer() == NoAnswer.NotAllowed }
+        Message.Unanswerable(NoAnswer.NotAllowed).takeIf {
+            wish == Wish.BackTrack && withoutAnswer() == NoAnswer.NotAllowed
+        }
 
     private companion object {
         /** The app watches the line itself: it knows of permissions and of recordings, and who is clear again. */

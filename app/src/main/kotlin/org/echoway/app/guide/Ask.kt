@@ -1,6 +1,8 @@
 package org.echoway.app.guide
 
-/** What a wearer can ask for without looking: by button, key, notification, tile or headset (docs/voice-and-touch.md). */
+/**
+ * What a wearer can ask for without looking: by button, key, notification, tile or headset (docs/voice-and-touch.md).
+ */
 enum class Ask {
     WHERE_AM_I,
 

@@ -59,7 +59,11 @@ class Guide(
     val muted: StateFlow<Boolean> = silenced.asStateFlow()
 
     /** Observes navigation until it is cancelled, first of all as the settings are now; [follow] keeps to them. */
-    suspend fun run(states: Flow<NavigationState>, events: Flow<GuidanceEvent>, settings: Flow<Settings>) = coroutineScope {
+    suspend fun run(
+        states: Flow<NavigationState>,
+        events: Flow<GuidanceEvent>,
+        settings: Flow<Settings>,
+    ) = coroutineScope {
         silenced.value = false
         adopt(settings.first(), speech.language.value)
         if (!buzzer.present && vibrates) tell(Message.NoVibration)
@@ -93,7 +97,11 @@ class Guide(
     /** The wearer says that they stand at this exit or in this room, or that they do not know where (null). */
     fun standAt(place: Destination?) {
         val plan = announcer.plan
-        if (plan == null) tell(Message.CannotLead(NoWay.NOT_RUNNING)) else lead(Wish.StandAt(startAt(plan, place), place))
+        if (plan == null) {
+            tell(Message.CannotLead(NoWay.NOT_RUNNING))
+        } else {
+            lead(Wish.StandAt(startAt(plan, place), place))
+        }
     }
 
     /** Leads to a destination from now on. */
@@ -186,7 +194,9 @@ class Guide(
     }
 
     private fun obstacle(state: NavigationState): Double? =
-        (state as? NavigationState.Running)?.takeIf { it.hearsBelt }?.obstacleM?.let { (it / TICK_GRAIN_M).toInt() * TICK_GRAIN_M }
+        (state as? NavigationState.Running)
+            ?.takeIf { it.hearsBelt }
+            ?.obstacleM?.let { (it / TICK_GRAIN_M).toInt() * TICK_GRAIN_M }
 
     private companion object {
         /** Ticks change their pace in steps of this; an estimate's trembling is not felt. */

@@ -5,8 +5,8 @@ import org.echoway.app.settings.Verbosity
 import org.echoway.core.CueKind
 
 /**
- * Whether a message is spoken at all. Danger, losses, broken things and answers always are: silence must go on meaning that
- * all is well.
+ * Whether a message is spoken at all. Danger, losses, broken things and answers always are: silence must go on meaning
+ * that all is well.
  */
 data class Manner(
     val service: ServiceModel = ServiceModel.CONTINUOUS,

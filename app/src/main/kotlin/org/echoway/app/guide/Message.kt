@@ -18,7 +18,9 @@ enum class Rank {
     COLOUR,
     ;
 
-    /** Whether a line of this rank may cut off one of [other]: what is only nice to know waits for the end of a line. */
+    /**
+     * Whether a line of this rank may cut off one of [other]: what is only nice to know waits for the end of a line.
+     */
     fun cutsOff(other: Rank) = this < other && this <= TURN
 
     companion object {
@@ -59,7 +61,10 @@ sealed class Message(val rank: Rank, val topic: String, val validS: Double) {
 
     data object RecordingOver : Message(Rank.LOST_OR_BROKEN, "belt", LASTING_S)
 
-    data class SensorBlocked(val side: Side, val sensor: Int) : Message(Rank.LOST_OR_BROKEN, "sensor $sensor", LASTING_S)
+    data class SensorBlocked(
+        val side: Side,
+        val sensor: Int,
+    ) : Message(Rank.LOST_OR_BROKEN, "sensor $sensor", LASTING_S)
 
     data class SensorClear(val side: Side, val sensor: Int) : Message(Rank.LOST_OR_BROKEN, "sensor $sensor", ROUTINE_S)
 
@@ -99,7 +104,9 @@ sealed class Message(val rank: Rank, val topic: String, val validS: Double) {
     /** Where the wearer came from is no longer known. */
     data object WayBackLost : Message(Rank.LOST_OR_BROKEN, "way back", LASTING_S)
 
-    /** The wearer is looked for anew; [place] of [plan] is where they say that they stand, null when they do not know. */
+    /**
+     * The wearer is looked for anew; [place] of [plan] is where they say that they stand, null when they do not know.
+     */
     data class StartedAgain(val plan: Plan, val place: Destination?) : Message(Rank.ASKED, "start again", ROUTINE_S)
 
     /** Nobody can stand where they say that they do. */
@@ -150,14 +157,16 @@ private val Cue.topic: String
     get() = when (kind) {
         CueKind.STOP, CueKind.OBSTACLE -> "danger"
         CueKind.UNCERTAIN, CueKind.PROBE_TURN, CueKind.PROBE_STEP, CueKind.FOUND -> "position"
-        CueKind.WRONG_WAY, CueKind.REROUTED, CueKind.NO_WAY, CueKind.TURN, CueKind.BEAR, CueKind.GO_STRAIGHT, CueKind.ARRIVED,
-        CueKind.TAKE_LINK,
+        CueKind.WRONG_WAY, CueKind.REROUTED, CueKind.NO_WAY, CueKind.TURN, CueKind.BEAR, CueKind.GO_STRAIGHT,
+        CueKind.ARRIVED, CueKind.TAKE_LINK,
         -> "way"
         CueKind.ROOM_HERE, CueKind.FACING, CueKind.DESTINATION -> "answer $kind"
         else -> if (urgency == Urgency.ASKED) "answer $kind" else kind.name
     }
 
-/** A loss holds until it is taken back; an answer is waited for; a room is not left at once; the rest is true only here. */
+/**
+ * A loss holds until it is taken back; an answer is waited for; a room is not left at once; the rest is true only here.
+ */
 private val Cue.validS: Double
     get() = when {
         urgency == Urgency.BROKEN -> Message.LASTING_S

@@ -14,6 +14,7 @@ enum class Side {
 
     companion object {
         /** Of sensor [sensor] of [count]. */
-        fun of(sensor: Int, count: Int): Side = entries[((sensor.toDouble() / count * entries.size) + 0.5).toInt() % entries.size]
+        fun of(sensor: Int, count: Int): Side =
+            entries[((sensor.toDouble() / count * entries.size) + 0.5).toInt() % entries.size]
     }
 }

@@ -17,9 +17,9 @@ import org.echoway.app.voice.Voice
 import org.echoway.core.Language
 
 /**
- * The one voice: lines that wait to be spoken, by rank, dropped when stale, replaced by newer ones of their topic, never said
- * twice in ten seconds unless asked for. A line is cut off only by one that outranks it and brings danger, loss or a turn.
- * Speaks in [scope] from the first line on.
+ * The one voice: lines that wait to be spoken, by rank, dropped when stale, replaced by newer ones of their topic,
+ * never said twice in ten seconds unless asked for. A line is cut off only by one that outranks it and brings danger,
+ * loss or a turn. Speaks in [scope] from the first line on.
  */
 class SpeechQueue(private val voice: Voice, private val clock: Clock, private val scope: CoroutineScope) {
     /** A line that was said to its end. */
@@ -80,7 +80,9 @@ class SpeechQueue(private val voice: Voice, private val clock: Clock, private va
     }
 
     private fun admit(entry: Entry) {
-        waiting.removeAll { it.message.topic == (entry as? Line)?.message?.topic || it.message.topic == (entry as? Hush)?.topic }
+        waiting.removeAll {
+            it.message.topic == (entry as? Line)?.message?.topic || it.message.topic == (entry as? Hush)?.topic
+        }
         if (entry is Line) waiting += entry
     }
 

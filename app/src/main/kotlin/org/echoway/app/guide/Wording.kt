@@ -27,15 +27,19 @@ class Wording(private val resources: Resources) {
         Message.BeltNotAllowed -> text(R.string.say_belt_not_allowed)
         Message.BeltRefused -> text(R.string.say_belt_refused)
         is Message.BeltChanged ->
-            resources.getQuantityString(R.plurals.say_belt_changed, message.sensors, spelling.format(message.sensors.toLong()))
+            resources.getQuantityString(
+                R.plurals.say_belt_changed, message.sensors, spelling.format(message.sensors.toLong()),
+            )
         Message.RecordedWalk -> text(R.string.say_recorded_walk)
         is Message.Interrupted ->
-            message.goal?.let { text(R.string.say_interrupted_led, name(message.plan, it)) } ?: text(R.string.say_interrupted)
+            message.goal?.let { text(R.string.say_interrupted_led, name(message.plan, it)) }
+                ?: text(R.string.say_interrupted)
         Message.RecordingOver -> text(R.string.say_recording_over)
         is Message.SensorBlocked -> text(R.string.say_sensor_blocked, side(message.side))
         is Message.SensorClear -> text(R.string.say_sensor_clear, side(message.side))
         is Message.SensorsBlocked -> plural(R.plurals.say_sensors_blocked, message.count)
-        is Message.RecordingStopped -> text(if (message.diskFull) R.string.say_phone_full else R.string.say_recording_stopped)
+        is Message.RecordingStopped ->
+            text(if (message.diskFull) R.string.say_phone_full else R.string.say_recording_stopped)
         Message.BatteryLow -> text(R.string.say_battery_low)
         is Message.CannotStart -> cannotStart(message.why)
         Message.NoVibration -> text(R.string.say_no_vibration)
@@ -49,9 +53,11 @@ class Wording(private val resources: Resources) {
         Message.LeadingStopped -> text(R.string.say_leading_stopped)
         Message.WayBackLost -> text(R.string.say_way_back_lost)
         is Message.StartedAgain ->
-            message.place?.let { text(R.string.say_started_again_at, name(message.plan, it)) } ?: text(R.string.say_started_again)
+            message.place?.let { text(R.string.say_started_again_at, name(message.plan, it)) }
+                ?: text(R.string.say_started_again)
         is Message.CannotStandAt ->
-            message.place?.let { text(R.string.say_cannot_stand_at, name(message.plan, it)) } ?: text(R.string.say_cannot_stand)
+            message.place?.let { text(R.string.say_cannot_stand_at, name(message.plan, it)) }
+                ?: text(R.string.say_cannot_stand)
         Message.NotAPass -> text(R.string.not_a_pass)
         Message.WatchEnded -> text(R.string.watch_ended)
         Message.StillSoon -> text(R.string.still_soon)
@@ -74,7 +80,8 @@ class Wording(private val resources: Resources) {
     }
 
     /** "Room 2"; "Hall" for a room that is called by its name alone. */
-    fun shortName(room: Room): String = room.aloud.run { if (number.isEmpty()) name else text(R.string.room_number, number) }
+    fun shortName(room: Room): String =
+        room.aloud.run { if (number.isEmpty()) name else text(R.string.room_number, number) }
 
     /** What a destination is called. */
     fun name(plan: Plan, destination: Destination): String = when (destination.kind) {

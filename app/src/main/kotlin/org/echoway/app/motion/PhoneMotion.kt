@@ -18,8 +18,8 @@ fun interface MotionSource {
 }
 
 /**
- * Steps from the step detector; turn rate about the vertical from gyroscope and gravity, so that it is right however the
- * phone sits in its pocket. Sensors that are missing or not allowed are left out.
+ * Steps from the step detector; turn rate about the vertical from gyroscope and gravity, so that it is right however
+ * the phone sits in its pocket. Sensors that are missing or not allowed are left out.
  */
 class PhoneMotion(private val manager: SensorManager, private val stepsAllowed: () -> Boolean) : MotionSource {
     override fun hints(): Flow<MotionHint> = callbackFlow {
@@ -30,7 +30,8 @@ class PhoneMotion(private val manager: SensorManager, private val stepsAllowed: 
                 when (event.sensor.type) {
                     Sensor.TYPE_STEP_DETECTOR -> trySend(MotionHint(timeS, MotionKind.STEP, 1.0))
                     Sensor.TYPE_GRAVITY -> yaw.gravity(event.values)
-                    Sensor.TYPE_GYROSCOPE -> yaw.rate(event.values, timeS)?.let { trySend(MotionHint(timeS, MotionKind.YAW_RATE, it)) }
+                    Sensor.TYPE_GYROSCOPE ->
+                        yaw.rate(event.values, timeS)?.let { trySend(MotionHint(timeS, MotionKind.YAW_RATE, it)) }
                 }
             }
 

@@ -10,5 +10,6 @@ import org.echoway.core.MotionHint
 /** [source] while [on]; its sensors rest while it is off. */
 class SwitchedMotion(private val source: MotionSource, private val on: Flow<Boolean>) : MotionSource {
     @OptIn(ExperimentalCoroutinesApi::class)
-    override fun hints(): Flow<MotionHint> = on.distinctUntilChanged().flatMapLatest { if (it) source.hints() else emptyFlow() }
+    override fun hints(): Flow<MotionHint> =
+        on.distinctUntilChanged().flatMapLatest { if (it) source.hints() else emptyFlow() }
 }

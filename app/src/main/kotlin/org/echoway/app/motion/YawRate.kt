@@ -2,7 +2,9 @@ package org.echoway.app.motion
 
 import kotlin.math.sqrt
 
-/** Turn rate about the vertical from a gyroscope's three axes and the direction of gravity, averaged over a short while. */
+/**
+ * Turn rate about the vertical from a gyroscope's three axes and the direction of gravity, averaged over a short while.
+ */
 internal class YawRate {
     private val up = DoubleArray(AXES)
     private var levelled = false

@@ -20,8 +20,8 @@ internal class LogFile(file: File, head: List<String>) : Closeable {
     }
 
     /**
-     * A row of what came at [timeS], in words for the time that it is given: rows are in order of time, and what was held up
-     * on its way (Android tells of a step when it is sure of it) counts from when it came.
+     * A row of what came at [timeS], in words for the time that it is given: rows are in order of time, and what was
+     * held up on its way (Android tells of a step when it is sure of it) counts from when it came.
      */
     fun row(timeS: Double, text: (Double) -> String) {
         newestS = maxOf(newestS, timeS)

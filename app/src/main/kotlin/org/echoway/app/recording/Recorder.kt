@@ -14,9 +14,9 @@ import org.echoway.core.Start
 import org.echoway.core.TrackState
 
 /**
- * Writes a walk down as the contract's logs: [name].scans.csv, [name].motion.csv and [name].track.csv in [folder]. Times
- * count from the first thing that happened, so that a log does not tell for how long the phone has been on. It may be
- * closed from another thread; what comes afterwards is not written.
+ * Writes a walk down as the contract's logs: [name].scans.csv, [name].motion.csv and [name].track.csv in [folder].
+ * Times count from the first thing that happened, so that a log does not tell for how long the phone has been on. It
+ * may be closed from another thread; what comes afterwards is not written.
  *
  * @param onFailed called once, when the disk is full or a file cannot be written; what was written so far stays
  */
@@ -38,10 +38,14 @@ class Recorder(
 
     override fun onFirings(sensors: List<SensorHealth>) = writing {
         if (sensors.size != newestS.size) newestS = DoubleArray(sensors.size) { Double.NEGATIVE_INFINITY }
-        val fired = sensors.withIndex().filter { (i, it) -> it.lastTimeS >= 0 && it.lastTimeS > newestS[i] }.sortedBy { it.value.lastTimeS }
+        val fired = sensors.withIndex()
+            .filter { (i, it) -> it.lastTimeS >= 0 && it.lastTimeS > newestS[i] }
+            .sortedBy { it.value.lastTimeS }
         for ((index, sensor) in fired) {
             newestS[index] = sensor.lastTimeS
-            scanLog(sensors.size).row(since(sensor.lastTimeS)) { "${number(it)},$index,${sensor.lastRangeM?.let(::number).orEmpty()}" }
+            scanLog(sensors.size).row(since(sensor.lastTimeS)) {
+                "${number(it)},$index,${sensor.lastRangeM?.let(::number).orEmpty()}"
+            }
         }
     }
 
@@ -60,9 +64,15 @@ class Recorder(
     override fun onEstimate(estimate: Estimate) = writing {
         val room = plan.rooms.getOrNull(estimate.room) ?: return@writing
         val time = since(estimate.timeS)
-        val log = track ?: open(Recordings.TRACK, listOf("time_s,room,x_m,y_m,heading_deg,sigma_m,room_probability,state")).also { track = it }
-        val values = listOf(estimate.x, estimate.y, Math.toDegrees(estimate.heading), estimate.sigmaM, estimate.roomProbability)
-        log.row(time) { "${number(it)},${room.id},${values.joinToString(",", transform = ::number)},${estimate.state.word}" }
+        val log = track
+            ?: open(Recordings.TRACK, listOf("time_s,room,x_m,y_m,heading_deg,sigma_m,room_probability,state")).also {
+                track = it
+            }
+        val values =
+            listOf(estimate.x, estimate.y, Math.toDegrees(estimate.heading), estimate.sigmaM, estimate.roomProbability)
+        log.row(time) {
+            "${number(it)},${room.id},${values.joinToString(",", transform = ::number)},${estimate.state.word}"
+        }
     }
 
     /** A comment line among the firings, which whoever replays the walk obeys. */
@@ -70,7 +80,8 @@ class Recorder(
         val time = since(timeS)
         val room = plan.rooms.getOrNull(start.room)?.id
         val values = listOf(start.at?.x, start.at?.y, start.heading?.let(Math::toDegrees))
-        fun line(timeS: Double) = "# restart ${number(timeS)} ${room ?: "-"} ${values.joinToString(" ") { it?.let(::number) ?: "-" }}"
+        fun line(timeS: Double) =
+            "# restart ${number(timeS)} ${room ?: "-"} ${values.joinToString(" ") { it?.let(::number) ?: "-" }}"
         scans?.row(time, ::line) ?: early.add(line(time))
     }
 
@@ -85,7 +96,11 @@ class Recorder(
         if (before != null && sensors == sensorsInHead) return before
         before?.close()
         val head = listOf("# building $building", "# sensors $sensors")
-        val rows = if (before == null) listOf("time_s,sensor,range_m") + early else File(folder, name + Recordings.SCANS).readLines().drop(head.size)
+        val rows = if (before == null) {
+            listOf("time_s,sensor,range_m") + early
+        } else {
+            File(folder, name + Recordings.SCANS).readLines().drop(head.size)
+        }
         sensorsInHead = sensors
         return open(Recordings.SCANS, head + rows).also { scans = it }
     }

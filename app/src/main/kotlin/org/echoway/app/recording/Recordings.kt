@@ -31,7 +31,13 @@ sealed interface RecordingStatus {
  * @property durationS of its scans; null when they hold none
  * @property building id of the building it was made in, if the log says so
  */
-data class Recording(val name: String, val startedAt: LocalDateTime?, val durationS: Double?, val bytes: Long, val building: String?) {
+data class Recording(
+    val name: String,
+    val startedAt: LocalDateTime?,
+    val durationS: Double?,
+    val bytes: Long,
+    val building: String?,
+) {
     val scans get() = name + Recordings.SCANS
 }
 
@@ -59,7 +65,9 @@ class Recordings(val folder: File, private val now: () -> LocalDateTime = LocalD
         }
         val name = FORMAT.format(now())
         current.value = RecordingStatus.On(name)
-        return Recorder(folder, name, building.id, building.plan) { fail(diskFull = folder.usableSpace < NEEDED_BYTES || it.isDiskFull, it.message.orEmpty()) }
+        return Recorder(folder, name, building.id, building.plan) {
+            fail(diskFull = folder.usableSpace < NEEDED_BYTES || it.isDiskFull, it.message.orEmpty())
+        }
     }
 
     fun stop(recorder: Recorder) {
@@ -69,7 +77,8 @@ class Recordings(val folder: File, private val now: () -> LocalDateTime = LocalD
     }
 
     /** All files of a recording, for sharing. */
-    fun files(name: String): List<File> = listOf(SCANS, MOTION, TRACK).map { File(folder, File(name).name + it) }.filter { it.isFile }
+    fun files(name: String): List<File> =
+        listOf(SCANS, MOTION, TRACK).map { File(folder, File(name).name + it) }.filter { it.isFile }
 
     /** The one that is being written stays. */
     suspend fun delete(name: String) {

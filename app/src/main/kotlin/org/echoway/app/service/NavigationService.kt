@@ -53,7 +53,8 @@ class NavigationService : LifecycleService() {
     override fun onCreate() {
         super.onCreate()
         notification = NavigationNotification(this)
-        val lock = getSystemService(PowerManager::class.java).newWakeLock(PowerManager.PARTIAL_WAKE_LOCK, "echoway:navigation")
+        val lock =
+            getSystemService(PowerManager::class.java).newWakeLock(PowerManager.PARTIAL_WAKE_LOCK, "echoway:navigation")
         wakeLock = IdleWakeLock(lock, container.clock)
     }
 
@@ -84,14 +85,16 @@ class NavigationService : LifecycleService() {
         container.settings.update { it.copy(navigating = true) }
         // A walk that was under way a moment ago goes on for who begins by hand as well, where Android did not.
         val interrupted = restored || navigation == null && settings.navigating && walkedJustNow(settings)
-        // Two at once would share the core and the buttons. Who begins meanwhile takes over from the one that has just begun.
+        // Two at once would share the core and the buttons. Who begins meanwhile takes over from the one that
+        // has just begun.
         takingOver.withLock {
             navigation?.cancelAndJoin()
             navigation = lifecycleScope.launch { navigate(settings, interrupted) }
         }
     }
 
-    private fun walkedJustNow(settings: Settings) = settings.walkedS?.let { container.clock.nowS() - it in 0.0..JUST_NOW_S } == true
+    private fun walkedJustNow(settings: Settings) =
+        settings.walkedS?.let { container.clock.nowS() - it in 0.0..JUST_NOW_S } == true
 
     /** [interrupted]: guidance was under way, and who wears a belt may have left the entrance since. */
     private suspend fun navigate(settings: Settings, interrupted: Boolean) = coroutineScope {
@@ -114,7 +117,9 @@ class NavigationService : LifecycleService() {
         val start = if (walkedOn) Start() else startAt(building.plan, settings.entrance)
         val recording = RecordingSwitch(container.recordings, building)
         // A walk that is replayed is not recorded again.
-        if (settings.source != SourceKind.RECORDING) launch { recording.follow(container.settings.settings.map { it.record }) }
+        if (settings.source != SourceKind.RECORDING) {
+            launch { recording.follow(container.settings.settings.map { it.record }) }
+        }
         launch { container.recordings.status.collect(::tellOfRecording) }
         launch { keepGoal(states) }
         if (settings.source == SourceKind.USB) launch { keepTime(states) }
@@ -143,9 +148,10 @@ class NavigationService : LifecycleService() {
         }
 
     /** Buttons of headsets, and in firefighter mode the volume keys, for as long as guidance runs. */
-    private suspend fun buttons() = MediaControls(this, container.guide, container.clock, container.presence).use { buttons ->
-        container.settings.settings.collect { buttons.takesVolumeKeys = it.firefighter }
-    }
+    private suspend fun buttons() =
+        MediaControls(this, container.guide, container.clock, container.presence).use { buttons ->
+            container.settings.settings.collect { buttons.takesVolumeKeys = it.firefighter }
+        }
 
     private fun tellOfRecording(status: RecordingStatus) {
         if (status is RecordingStatus.Failed) container.guide.tell(Message.RecordingStopped(status.diskFull))
@@ -167,11 +173,17 @@ class NavigationService : LifecycleService() {
         false
     }
 
-    /** The best first: since Android 14 there is no connected device before the belt is plugged in, and guidance waits for it. */
+    /**
+     * The best first: since Android 14 there is no connected device before the belt is plugged in, and guidance
+     * waits for it.
+     */
     private fun types(source: SourceKind) = when {
-        Build.VERSION.SDK_INT < Build.VERSION_CODES.UPSIDE_DOWN_CAKE -> listOf(ServiceInfo.FOREGROUND_SERVICE_TYPE_CONNECTED_DEVICE)
+        Build.VERSION.SDK_INT < Build.VERSION_CODES.UPSIDE_DOWN_CAKE ->
+            listOf(ServiceInfo.FOREGROUND_SERVICE_TYPE_CONNECTED_DEVICE)
         source == SourceKind.USB ->
-            listOf(ServiceInfo.FOREGROUND_SERVICE_TYPE_CONNECTED_DEVICE, ServiceInfo.FOREGROUND_SERVICE_TYPE_SPECIAL_USE)
+            listOf(
+                ServiceInfo.FOREGROUND_SERVICE_TYPE_CONNECTED_DEVICE, ServiceInfo.FOREGROUND_SERVICE_TYPE_SPECIAL_USE,
+            )
         else -> listOf(ServiceInfo.FOREGROUND_SERVICE_TYPE_SPECIAL_USE)
     }
 
@@ -205,7 +217,8 @@ class NavigationService : LifecycleService() {
 
         fun actionOf(ask: Ask) = "org.echoway.app.$ask"
 
-        fun intent(context: Context, action: String): Intent = Intent(context, NavigationService::class.java).setAction(action)
+        fun intent(context: Context, action: String): Intent =
+            Intent(context, NavigationService::class.java).setAction(action)
 
         fun start(context: Context) = ContextCompat.startForegroundService(context, intent(context, ACTION_START))
 

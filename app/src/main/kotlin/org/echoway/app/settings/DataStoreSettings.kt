@@ -106,8 +106,13 @@ class DataStoreSettings(private val store: DataStore<Preferences>) : SettingsSto
 
     companion object {
         /** What a phone that died while it wrote has left is no reason not to begin: it begins with what is usual. */
-        fun inFile(scope: CoroutineScope = CoroutineScope(Dispatchers.IO + SupervisorJob()), file: () -> File): DataStore<Preferences> =
-            PreferenceDataStoreFactory.create(ReplaceFileCorruptionHandler { emptyPreferences() }, scope = scope, produceFile = file)
+        fun inFile(
+            scope: CoroutineScope = CoroutineScope(Dispatchers.IO + SupervisorJob()),
+            file: () -> File,
+        ): DataStore<Preferences> =
+            PreferenceDataStoreFactory.create(
+                ReplaceFileCorruptionHandler { emptyPreferences() }, scope = scope, produceFile = file,
+            )
 
         private val BUILDING = stringPreferencesKey("building")
         private val ENTRANCE = stringPreferencesKey("entrance")

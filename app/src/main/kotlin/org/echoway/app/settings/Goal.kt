@@ -21,7 +21,8 @@ data class Goal(val building: String, val destination: Destination) {
             val kind = DestinationKind.entries.firstOrNull { it.name == parts[0] }
             val index = parts.getOrNull(1)?.toIntOrNull()
             val building = parts.getOrNull(2)
-            return if (kind == null || index == null || building == null) null else Goal(building, Destination(kind, index))
+            if (kind == null || index == null || building == null) return null
+            return Goal(building, Destination(kind, index))
         }
     }
 }

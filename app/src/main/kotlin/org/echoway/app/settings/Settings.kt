@@ -47,7 +47,8 @@ enum class ThemeChoice {
  * @property entrance name of the way in; null when the wearer does not know it
  * @property recording file name of the log to replay, for [SourceKind.RECORDING]
  * @property navigating whether guidance was on when the app was last alive, so that it goes on after its death
- * @property walkedS when the belt was last heard while guidance was on, on the app's clock; to the minute, null before the first time
+ * @property walkedS when the belt was last heard while guidance was on, on the app's clock; to the minute, null before
+ * the first time
  * @property goal where the wearer was led when the app was last alive; null nowhere, or back the way they came
  * @property avoidStairs take stairs only when nothing else leads there
  * @property firefighter show the one large screen, and watch for a wearer who does not move

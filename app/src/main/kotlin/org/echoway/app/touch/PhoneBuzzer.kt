@@ -9,8 +9,8 @@ import android.os.Vibrator
 import androidx.annotation.RequiresApi
 
 /**
- * The phone's vibrator: crisp primitives where it has them, waveforms elsewhere; does nothing on a phone without one. As
- * accessibility feedback, so that it is felt with the screen off and the ringer silent.
+ * The phone's vibrator: crisp primitives where it has them, waveforms elsewhere; does nothing on a phone without one.
+ * As accessibility feedback, so that it is felt with the screen off and the ringer silent.
  */
 class PhoneBuzzer(private val vibrator: Vibrator?) : Buzzer {
     override val present: Boolean get() = vibrator?.hasVibrator() == true
@@ -48,9 +48,13 @@ class PhoneBuzzer(private val vibrator: Vibrator?) : Buzzer {
 
     private fun waveform(motor: Vibrator, pulses: List<Pulse>): VibrationEffect {
         fun timings(length: (Pulse) -> Long) =
-            pulses.flatMapIndexed { index, pulse -> listOf(if (index == 0) 0L else GAP_MS, length(pulse)) }.toLongArray()
+            pulses.flatMapIndexed { index, pulse -> listOf(if (index == 0) 0L else GAP_MS, length(pulse)) }
+                .toLongArray()
+
         // A motor that knows one strength only: what is softer is shorter, so that no two words feel alike.
-        if (!motor.hasAmplitudeControl()) return VibrationEffect.createWaveform(timings { it.lengthAtOneStrengthMs }, NO_REPEAT)
+        if (!motor.hasAmplitudeControl()) {
+            return VibrationEffect.createWaveform(timings { it.lengthAtOneStrengthMs }, NO_REPEAT)
+        }
         val timings = timings { it.length.ms }
         val amplitudes = pulses.flatMap { listOf(0, it.strength.amplitude) }.toIntArray()
         return VibrationEffect.createWaveform(timings, amplitudes, NO_REPEAT)

@@ -58,7 +58,9 @@ fun EchowayUi(container: AppContainer, setup: SetupViewModel, actions: ActivityA
             ) {
                 guidance(container, actions, open)
                 composable<Route.Menu> { MenuScreen(open, screens::back) }
-                wearerScreens(container, actions, home, screens::back) { if (screens.previousBackStackEntry != null) screens.popBackStack() else home() }
+                wearerScreens(container, actions, home, screens::back) {
+                    if (screens.previousBackStackEntry != null) screens.popBackStack() else home()
+                }
                 setup(setup, actions, screens::back)
                 buildings(container, open, screens::back)
                 recordings(container, actions.start, open, screens::back)
@@ -78,9 +80,12 @@ private fun NavHostController.back() {
 private fun NavGraphBuilder.guidance(container: AppContainer, actions: ActivityActions, open: (Route) -> Unit) {
     composable<Route.Live> {
         val words = StateWords(LocalResources.current)
-        val live = viewModel(key = LocalConfiguration.current.locales.toLanguageTags()) { LiveViewModel(container, words) }
+        val live =
+            viewModel(key = LocalConfiguration.current.locales.toLanguageTags()) { LiveViewModel(container, words) }
         val state by live.uiState.collectAsStateWithLifecycle()
-        LiveScreen(state, LiveActions(live::whereAmI, actions.start, actions.stop, { open(Route.Setup) }) { open(Route.Menu) })
+        LiveScreen(
+            state, LiveActions(live::whereAmI, actions.start, actions.stop, { open(Route.Setup) }) { open(Route.Menu) },
+        )
     }
 }
 
@@ -89,7 +94,9 @@ private fun NavGraphBuilder.setup(setup: SetupViewModel, actions: ActivityAction
         val state by setup.uiState.collectAsStateWithLifecycle()
         SetupScreen(
             state,
-            SetupActions(setup::chooseBuilding, setup::chooseEntrance, setup::chooseSource, actions.pickRecording, back),
+            SetupActions(
+                setup::chooseBuilding, setup::chooseEntrance, setup::chooseSource, actions.pickRecording, back,
+            ),
         )
     }
 }

@@ -25,10 +25,12 @@ class StateWords(private val resources: Resources) {
             state.line == Line.PERMISSION_MISSING -> resources.getString(R.string.state_permission)
             state.line == Line.REFUSED -> resources.getString(R.string.say_belt_refused)
             state.line == Line.ENDED -> resources.getString(R.string.state_ended)
-            !state.hearsBelt && (state.belt.link == BeltLink.LOST || state.line == Line.GONE) -> resources.getString(R.string.state_belt_lost)
+            !state.hearsBelt && (state.belt.link == BeltLink.LOST || state.line == Line.GONE) ->
+                resources.getString(R.string.state_belt_lost)
             !state.hearsBelt -> resources.getString(R.string.state_waiting)
             state.estimate.state == TrackState.LOST -> resources.getString(R.string.state_lost)
-            state.estimate.state == TrackState.SEARCHING || room == null -> resources.getString(R.string.state_searching)
+            state.estimate.state == TrackState.SEARCHING || room == null ->
+                resources.getString(R.string.state_searching)
             else -> wording.room(room)
         }
     }

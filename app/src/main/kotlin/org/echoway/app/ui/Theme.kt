@@ -9,7 +9,10 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.graphics.Color
 import org.echoway.app.settings.ThemeChoice
 
-/** Blue on near-black or near-white: contrast of text is 7:1 or better, of marks 4.5:1, and no hue carries meaning alone. */
+/**
+ * Blue on near-black or near-white: contrast of text is 7:1 or better, of marks 4.5:1, and no hue
+ * carries meaning alone.
+ */
 private val Light = lightColorScheme(
     primary = Color(0xFF0B4A8F),
     onPrimary = Color.White,

@@ -50,13 +50,16 @@ internal fun NavGraphBuilder.wearerScreens(
 ) {
     composable<Route.Destinations> {
         val resources = LocalResources.current
-        val model = viewModel(key = LocalConfiguration.current.locales.toLanguageTags()) { DestinationsViewModel(container, resources) }
+        val model = viewModel(key = LocalConfiguration.current.locales.toLanguageTags()) {
+            DestinationsViewModel(container, resources)
+        }
         val state by model.uiState.collectAsStateWithLifecycle()
         DestinationsScreen(state, DestinationsActions(model::leadTo, model::ask, back))
     }
     composable<Route.Here> {
         val resources = LocalResources.current
-        val model = viewModel(key = LocalConfiguration.current.locales.toLanguageTags()) { HereViewModel(container, resources) }
+        val model =
+            viewModel(key = LocalConfiguration.current.locales.toLanguageTags()) { HereViewModel(container, resources) }
         val state by model.uiState.collectAsStateWithLifecycle()
         HereScreen(state, HereActions(model::standAt, back))
     }
@@ -68,7 +71,9 @@ internal fun NavGraphBuilder.wearerScreens(
 private fun NavGraphBuilder.firefighter(container: AppContainer, actions: ActivityActions, leave: () -> Unit) {
     composable<Route.Firefighter> {
         val words = StateWords(LocalResources.current)
-        val model = viewModel(key = LocalConfiguration.current.locales.toLanguageTags()) { FirefighterViewModel(container, words) }
+        val model = viewModel(key = LocalConfiguration.current.locales.toLanguageTags()) {
+            FirefighterViewModel(container, words)
+        }
         val state by model.uiState.collectAsStateWithLifecycle()
         LaunchedEffect(model) { model.enter() }
         val end = {

@@ -12,8 +12,8 @@ interface AudioFocus {
 }
 
 /**
- * Plays [sound] with the focus held, and gives it back however that ends; [Outcome.REFUSED] when it is not to be had. [onLoss]
- * is called when it is taken away meanwhile, and is to end [sound].
+ * Plays [sound] with the focus held, and gives it back however that ends; [Outcome.REFUSED] when it is not to be had.
+ * [onLoss] is called when it is taken away meanwhile, and is to end [sound].
  */
 suspend fun AudioFocus.during(onLoss: () -> Unit, sound: suspend () -> Outcome): Outcome {
     if (!request(onLoss)) return Outcome.REFUSED
@@ -45,7 +45,8 @@ class PhoneAudioFocus(private val manager: AudioManager) : AudioFocus {
     }
 
     private companion object {
-        val CALL_MODES = setOf(AudioManager.MODE_RINGTONE, AudioManager.MODE_IN_CALL, AudioManager.MODE_IN_COMMUNICATION)
+        val CALL_MODES =
+            setOf(AudioManager.MODE_RINGTONE, AudioManager.MODE_IN_CALL, AudioManager.MODE_IN_COMMUNICATION)
 
         /** Ducking is none: a spoken line stays intelligible under it. */
         val LOSSES = setOf(AudioManager.AUDIOFOCUS_LOSS, AudioManager.AUDIOFOCUS_LOSS_TRANSIENT)

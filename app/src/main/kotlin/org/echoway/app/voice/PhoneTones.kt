@@ -29,11 +29,13 @@ private fun pitch(strength: Strength) = when (strength) {
 }
 
 /**
- * Tones on the volume of media, that other sounds make way for. Quiet where Android has no tone generator left to give, and
- * whenever a voice would be: whoever is on the phone hears the other side.
+ * Tones on the volume of media, that other sounds make way for. Quiet where Android has no tone generator left to give,
+ * and whenever a voice would be: whoever is on the phone hears the other side.
  */
 class PhoneTones(private val focus: AudioFocus) : Tones {
-    private val generator by lazy { runCatching { ToneGenerator(AudioManager.STREAM_MUSIC, ToneGenerator.MAX_VOLUME) }.getOrNull() }
+    private val generator by lazy {
+        runCatching { ToneGenerator(AudioManager.STREAM_MUSIC, ToneGenerator.MAX_VOLUME) }.getOrNull()
+    }
 
     override suspend fun play(sign: Touch?): Outcome {
         val lost = CompletableDeferred<Outcome>()

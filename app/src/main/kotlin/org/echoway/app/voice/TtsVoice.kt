@@ -22,12 +22,16 @@ import org.echoway.app.touch.Touch
 import org.echoway.core.Language
 
 /**
- * The phone's text-to-speech engine, as navigation guidance that other sounds make way for. Speaks the wanted language, or
- * English where there are no words in it or the engine does not know it. Rate, pitch and voice are the system's own. Without
- * an engine, or with one that does not answer, it says nothing and [status] tells; each line then looks for an engine anew.
- * Used from the main thread.
+ * The phone's text-to-speech engine, as navigation guidance that other sounds make way for. Speaks the wanted language,
+ * or English where there are no words in it or the engine does not know it. Rate, pitch and voice are the system's own.
+ * Without an engine, or with one that does not answer, it says nothing and [status] tells; each line then looks for an
+ * engine anew. Used from the main thread.
  */
-class TtsVoice(private val context: Context, private val focus: AudioFocus, private val locale: () -> Locale = Locale::getDefault) : Voice {
+class TtsVoice(
+    private val context: Context,
+    private val focus: AudioFocus,
+    private val locale: () -> Locale = Locale::getDefault,
+) : Voice {
     private val state = MutableStateFlow(VoiceStatus.STARTING)
     override val status: StateFlow<VoiceStatus> = state.asStateFlow()
     @Volatile private var wanted: Language? = null
@@ -62,7 +66,8 @@ class TtsVoice(private val context: Context, private val focus: AudioFocus, priv
     private suspend fun utter(text: String): Outcome = try {
         // An engine that dies half way through calls back no more; all that is still to be said would wait for it.
         val patience = PATIENCE_MS + PATIENCE_MS_PER_CHARACTER * text.length
-        withTimeoutOrNull(patience) { suspendCancellableCoroutine { start(text, it) } } ?: Outcome.REFUSED.also { onFailure() }
+        withTimeoutOrNull(patience) { suspendCancellableCoroutine { start(text, it) } }
+            ?: Outcome.REFUSED.also { onFailure() }
     } finally {
         current = null
     }
@@ -174,7 +179,9 @@ class TtsVoice(private val context: Context, private val focus: AudioFocus, priv
         /** How long an engine may take to come up before lines are tones. It may still come. */
         private const val CONNECTION_MS = 5_000L
 
-        /** How soon an engine is looked for again, when there is a line to say; later while a slow one may yet come up. */
+        /**
+         * How soon an engine is looked for again, when there is a line to say; later while a slow one may yet come up.
+         */
         private const val SEEK_AGAIN_MS = 5_000L
         private const val UNANSWERED_MS = 30_000L
 

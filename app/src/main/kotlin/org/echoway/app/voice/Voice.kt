@@ -30,7 +30,9 @@ enum class VoiceStatus {
 interface Voice {
     val status: StateFlow<VoiceStatus>
 
-    /** What it is to be given words in: the wanted language where there are words and an engine for it, else English. */
+    /**
+     * What it is to be given words in: the wanted language where there are words and an engine for it, else English.
+     */
     val language: StateFlow<Language>
 
     /** Speaks a language from now on if it can; null for the phone's own. */

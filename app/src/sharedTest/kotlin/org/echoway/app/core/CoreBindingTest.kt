@@ -63,7 +63,9 @@ class CoreBindingTest {
             BeltSetup(slotS = -1.0),
             BeltSetup(temperatureC = -300.0),
         )
-        for (belt in impossible) assertThrows("$belt", CoreException::class.java) { CoreSession.open(laboratory.folder, 0.0, belt = belt) }
+        for (belt in impossible) {
+            assertThrows("$belt", CoreException::class.java) { CoreSession.open(laboratory.folder, 0.0, belt = belt) }
+        }
         val cold = BeltSetup(12, 0.2, Math.toRadians(30.0), 0.1, -5.0)
         CoreSession.open(laboratory.folder, 0.0, belt = cold).use { assertEquals(12, it.beltHealth.sensors.size) }
     }
@@ -90,7 +92,10 @@ class CoreBindingTest {
     @Test fun aPlaceFarOutsideItsRoomIsRefusedAndTheRoomIsDescribed() {
         val outside = Start(seminarRoom, Point(-5.0, 1.0), 0.0)
         val refused = assertThrows(CoreException::class.java) { CoreSession.open(laboratory.folder, 0.0, outside) }
-        assertTrue(refused.message, "(-5, 1) lies 5 m outside room 4, whose floor is between (0, 0) and (" in refused.message.orEmpty())
+        assertTrue(
+            refused.message,
+            "(-5, 1) lies 5 m outside room 4, whose floor is between (0, 0) and (" in refused.message.orEmpty(),
+        )
         CoreSession.open(laboratory.folder, 0.0, Start(room = seminarRoom)).use { session ->
             assertEquals(refused.message, assertThrows(CoreException::class.java) { session.restart(outside) }.message)
         }

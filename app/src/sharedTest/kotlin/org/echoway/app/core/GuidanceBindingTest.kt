@@ -126,7 +126,9 @@ class GuidanceBindingTest {
             val there = plan.rooms[next.room].frame.toLevel(next.at)
             assertTrue("a door is one place in both rooms' frames", here.distanceTo(there) < 0.5)
         }
-        assertTrue("${cues.map { it.words }}", cues.any { it.kind == CueKind.DESTINATION && it.words.startsWith("Lectern") })
+        assertTrue(
+            "${cues.map { it.words }}", cues.any { it.kind == CueKind.DESTINATION && it.words.startsWith("Lectern") },
+        )
         session.clearDestination()
         walkUntil(7.0)
         assertTrue(session.route.waypoints.isEmpty())
@@ -152,7 +154,9 @@ class GuidanceBindingTest {
         assertEquals(plan.places.size + plan.exits.size + plan.rooms.size, plan.destinations.size)
         plan.destinations.forEach(session::setDestination)
         for (index in listOf(-1, 99)) {
-            val error = assertThrows(CoreException::class.java) { session.setDestination(Destination(DestinationKind.PLACE, index)) }
+            val error = assertThrows(CoreException::class.java) {
+                session.setDestination(Destination(DestinationKind.PLACE, index))
+            }
             assertTrue(error.message, error.message!!.isNotEmpty())
         }
     }
@@ -174,7 +178,9 @@ class GuidanceBindingTest {
         assertEquals(15, echoes.size)
         val answered = echoes.filter { it.rangeM != null }
         val explained = answered.filter { it.element != Element.NONE }
-        assertTrue("${explained.size} of ${answered.size}", explained.size >= answered.size / 3 && explained.isNotEmpty())
+        assertTrue(
+            "${explained.size} of ${answered.size}", explained.size >= answered.size / 3 && explained.isNotEmpty(),
+        )
         explained.forEach {
             assertTrue("$it", abs(it.expectedM!! - it.rangeM!!) < 1.2)
             assertTrue("$it", it.at!!.room in plan.rooms.indices)

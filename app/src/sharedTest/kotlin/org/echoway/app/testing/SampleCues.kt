@@ -14,12 +14,18 @@ import org.echoway.core.Urgency
 
 /** Cues as the core gives them out. */
 object SampleCues {
-    fun cue(kind: CueKind, words: String, degrees: Double? = null, urgency: Urgency = urgencyOf(kind), room: Int = Plan.NO_ROOM, tail: CueTail? = null) =
-        Cue(
-            timeS = 0.0, kind = kind, urgency = urgency, direction = degrees?.let(Math::toRadians), distanceM = null, sigmaM = 0.1,
-            timeToLiveS = 2.0, up = false, count = 0, room = room, landmark = CueLandmark(LandmarkKind.NONE, -1), tail = tail,
-            words = words,
-        )
+    fun cue(
+        kind: CueKind,
+        words: String,
+        degrees: Double? = null,
+        urgency: Urgency = urgencyOf(kind),
+        room: Int = Plan.NO_ROOM,
+        tail: CueTail? = null,
+    ) = Cue(
+        timeS = 0.0, kind = kind, urgency = urgency, direction = degrees?.let(Math::toRadians),
+        distanceM = null, sigmaM = 0.1, timeToLiveS = 2.0, up = false, count = 0,
+        room = room, landmark = CueLandmark(LandmarkKind.NONE, -1), tail = tail, words = words,
+    )
 
     fun told(kind: CueKind, words: String, degrees: Double? = null) = GuidanceEvent.Told(cue(kind, words, degrees))
 

@@ -26,7 +26,8 @@ object SamplePlan {
     private val walls = corners.indices.map { Wall(corners[it], corners[(it + 1) % corners.size]) }
 
     val office = Room("1", "Office", RoomName("1", "Office"), 0, Frame(0.0, 0.0, 0.0), walls, listOf(corners))
-    val seminar = Room("4", "Seminar room", RoomName("4", "Seminar room"), 0, Frame(6.0, 0.0, 0.0), walls, listOf(corners))
+    val seminar =
+        Room("4", "Seminar room", RoomName("4", "Seminar room"), 0, Frame(6.0, 0.0, 0.0), walls, listOf(corners))
 
     val plan = Plan(
         name = "Sample",
@@ -47,16 +48,20 @@ object SamplePlan {
         state: TrackState = TrackState.TRACKING,
         sigmaM: Double = 0.1,
     ) = Estimate(
-        timeS = 0.0, room = room, x = x, y = y, heading = Math.toRadians(headingDegrees), sigmaM = sigmaM, sigmaHeading = 0.1,
-        roomProbability = 0.95, state = state, covarianceXx = sigmaM * sigmaM, covarianceXy = 0.0,
-        covarianceYy = sigmaM * sigmaM / 4, speedMps = 0.0, soundSpeedScale = 1.0,
+        timeS = 0.0, room = room, x = x, y = y, heading = Math.toRadians(headingDegrees),
+        sigmaM = sigmaM, sigmaHeading = 0.1, roomProbability = 0.95, state = state,
+        covarianceXx = sigmaM * sigmaM, covarianceXy = 0.0, covarianceYy = sigmaM * sigmaM / 4,
+        speedMps = 0.0, soundSpeedScale = 1.0,
     )
 
-    fun health(link: BeltLink = BeltLink.CONNECTED, batteryV: Double? = null, troubled: Set<Int> = emptySet()) = BeltHealth.NONE.copy(
-        link = link,
-        batteryV = batteryV,
-        sensors = List(15) { SensorHealth(if (it in troubled) SensorState.SILENT else SensorState.GOOD, 10, 10, 0, 1.0, 0.0) },
-    )
+    fun health(link: BeltLink = BeltLink.CONNECTED, batteryV: Double? = null, troubled: Set<Int> = emptySet()) =
+        BeltHealth.NONE.copy(
+            link = link,
+            batteryV = batteryV,
+            sensors = List(15) {
+                SensorHealth(if (it in troubled) SensorState.SILENT else SensorState.GOOD, 10, 10, 0, 1.0, 0.0)
+            },
+        )
 
     fun running(timeS: Double, estimate: Estimate, belt: BeltHealth = health(), line: Line = Line.OPEN) =
         NavigationState.Running(building, timeS, line, belt, estimate)

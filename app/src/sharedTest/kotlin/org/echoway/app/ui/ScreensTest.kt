@@ -38,7 +38,16 @@ class ScreensTest {
 
     private fun live(state: LiveUiState) = rule.setContent {
         EchowayTheme {
-            LiveScreen(state, LiveActions({ done += "where" }, { done += "start" }, { done += "stop" }, { done += "setup" }, { done += "menu" }))
+            LiveScreen(
+                state,
+                LiveActions(
+                    { done += "where" },
+                    { done += "start" },
+                    { done += "stop" },
+                    { done += "setup" },
+                    { done += "menu" },
+                ),
+            )
         }
     }
 
@@ -46,7 +55,13 @@ class ScreensTest {
         EchowayTheme {
             SetupScreen(
                 state,
-                SetupActions({ done += "building $it" }, { done += "entrance $it" }, { done += "source $it" }, { done += "pick" }, { done += "done" }),
+                SetupActions(
+                    { done += "building $it" },
+                    { done += "entrance $it" },
+                    { done += "source $it" },
+                    { done += "pick" },
+                    { done += "done" },
+                ),
             )
         }
     }
@@ -63,7 +78,9 @@ class ScreensTest {
 
     @Test fun theLiveScreenSaysWhereOneIsAndAnswers() {
         live(on)
-        rule.onNodeWithContentDescription("Map of Sample, level 0. 2 rooms, 1 exit. You are in Room 1, Office.").assertIsDisplayed()
+        rule.onNodeWithContentDescription(
+            "Map of Sample, level 0. 2 rooms, 1 exit. You are in Room 1, Office.",
+        ).assertIsDisplayed()
         rule.onNodeWithText("Door right, six feet.").assertIsDisplayed()
         rule.onNodeWithText("Where am I?").assertHeightIsAtLeast(100.dp).performClick()
         rule.onNodeWithText("Stop").assertHeightIsAtLeast(48.dp).performClick()
@@ -122,7 +139,9 @@ class ScreensTest {
 
     @Test fun aRecordingThatCannotBePlayedIsHeardOf() {
         setup(ready(building = true).copy(recordingProblem = "the log holds no firing"))
-        rule.onNodeWithText("the log holds no firing", substring = true).assert(SemanticsMatcher.keyIsDefined(SemanticsProperties.LiveRegion))
+        rule.onNodeWithText("the log holds no firing", substring = true).assert(
+            SemanticsMatcher.keyIsDefined(SemanticsProperties.LiveRegion),
+        )
     }
 
     @Test fun withoutABuildingSetupIsNotDone() {

@@ -28,7 +28,9 @@ import org.robolectric.util.ReflectionHelpers
 class AndroidUsbBusTest {
     private val context = ApplicationProvider.getApplicationContext<Context>()
     private val manager = context.getSystemService(UsbManager::class.java)
-    private val device: UsbDevice = Shadow.newInstanceOf(UsbDevice::class.java).also { ReflectionHelpers.setField(it, "mName", "/dev/bus/usb/001/002") }
+    private val device: UsbDevice = Shadow.newInstanceOf(UsbDevice::class.java).also {
+        ReflectionHelpers.setField(it, "mName", "/dev/bus/usb/001/002")
+    }
 
     /** A port that refuses the belt's baud rate. */
     private class Port : UsbSerialPort {
@@ -40,7 +42,8 @@ class AndroidUsbBusTest {
             closed = true
         }
 
-        override fun setParameters(baudRate: Int, dataBits: Int, stopBits: Int, parity: Int) = throw IOException("$baudRate")
+        override fun setParameters(baudRate: Int, dataBits: Int, stopBits: Int, parity: Int) =
+            throw IOException("$baudRate")
 
         override fun setDTR(value: Boolean) = Unit
 

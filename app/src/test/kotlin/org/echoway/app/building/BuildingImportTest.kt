@@ -36,7 +36,8 @@ class BuildingImportTest {
 
     @Before fun hide() = treasure.writeText("untouched")
 
-    private fun good(prefix: String = ""): Map<String, ByteArray> = room.listFiles()!!.filter { it.isFile }.associate { "$prefix${it.name}" to it.readBytes() }
+    private fun good(prefix: String = ""): Map<String, ByteArray> =
+        room.listFiles()!!.filter { it.isFile }.associate { "$prefix${it.name}" to it.readBytes() }
 
     private fun zipped(files: Map<String, ByteArray>): ByteArray {
         val bytes = ByteArrayOutputStream()
@@ -66,7 +67,8 @@ class BuildingImportTest {
         closeArchiveEntry()
     }
 
-    private fun take(archive: ByteArray, name: String = "Two rooms.zip") = import.zip(name) { ByteArrayInputStream(archive) }
+    private fun take(archive: ByteArray, name: String = "Two rooms.zip") =
+        import.zip(name) { ByteArrayInputStream(archive) }
 
     private fun assertRefused(problem: ImportProblem, archive: ByteArray) = assertRefused(problem) { take(archive) }
 
@@ -107,7 +109,11 @@ class BuildingImportTest {
     }
 
     @Test fun namesThatLeadOutAreRefused() {
-        for (name in listOf("../treasure", "a/../../treasure", "/treasure", "a//b", "..\\treasure", "C:\\treasure", "./building.cfg", "a\u0000b")) {
+        val unsafe = listOf(
+            "../treasure", "a/../../treasure", "/treasure", "a//b", "..\\treasure", "C:\\treasure", "./building.cfg",
+            "a\u0000b",
+        )
+        for (name in unsafe) {
             assertRefused(ImportProblem.UNSAFE_NAME, zipped(good() + (name to "stolen".toByteArray())))
         }
     }
@@ -126,11 +132,13 @@ class BuildingImportTest {
         assertRefused(ImportProblem.TOO_LARGE, bomb)
         // The size in the directory is a lie: 1 byte.
         val uncompressedSize = bomb.indexOfLast("room-big.room".toByteArray()) - 46 + 24
-        val lying = bomb.copyOf().also { it[uncompressedSize] = 1; (1..3).forEach { i -> it[uncompressedSize + i] = 0 } }
+        val lying =
+            bomb.copyOf().also { it[uncompressedSize] = 1; (1..3).forEach { i -> it[uncompressedSize + i] = 0 } }
         assertRefused(ImportProblem.TOO_LARGE, lying)
     }
 
-    private fun ByteArray.indexOfLast(part: ByteArray): Int = (size - part.size downTo 0).first { at -> part.indices.all { this[at + it] == part[it] } }
+    private fun ByteArray.indexOfLast(part: ByteArray): Int =
+        (size - part.size downTo 0).first { at -> part.indices.all { this[at + it] == part[it] } }
 
     @Test fun manyBombsCountTogether() = assertRefused(
         ImportProblem.TOO_LARGE, zipped((1..5).associate { "room-$it.room" to ByteArray(8 shl 20) }),
@@ -138,9 +146,13 @@ class BuildingImportTest {
 
     @Test fun aMillionFilesAreRefusedBeforeOneIsUnpacked() {
         val few = BuildingImport(home, File(root, "workshop"), ImportLimits(files = 100))
-        assertRefused(ImportProblem.TOO_MANY_FILES) { few.zip("a") { ByteArrayInputStream(zipped((0..100).associate { "f$it" to ByteArray(0) })) } }
+        assertRefused(ImportProblem.TOO_MANY_FILES) {
+            few.zip("a") { ByteArrayInputStream(zipped((0..100).associate { "f$it" to ByteArray(0) })) }
+        }
         val million = File(root, "million.zip")
-        ZipOutputStream(million.outputStream().buffered()).use { zip -> repeat(1_000_000) { zip.putNextEntry(ZipEntry("$it")) } }
+        ZipOutputStream(million.outputStream().buffered()).use { zip ->
+            repeat(1_000_000) { zip.putNextEntry(ZipEntry("$it")) }
+        }
         val problem = assertThrows(ImportException::class.java) { import.zip("a") { million.inputStream() } }.problem
         million.delete()
         assertEquals(ImportProblem.TOO_LARGE, problem)
@@ -198,7 +210,9 @@ class BuildingImportTest {
 
     @Test fun anArchiveThatIsCutShortIsRefusedWhereverItEnds() {
         val whole = zipped(good())
-        for (length in listOf(0, 1, 30, whole.size / 2, whole.size - 1)) assertRefused(ImportProblem.UNREADABLE, whole.copyOf(length))
+        for (length in listOf(0, 1, 30, whole.size / 2, whole.size - 1)) {
+            assertRefused(ImportProblem.UNREADABLE, whole.copyOf(length))
+        }
     }
 
     @Test fun bytesThatWereChangedAreRefused() {
@@ -209,11 +223,14 @@ class BuildingImportTest {
         assertNothingLeft()
     }
 
-    @Test fun somethingElseThanAnArchiveIsRefused() = assertRefused(ImportProblem.UNREADABLE, "hello".repeat(100).toByteArray())
+    @Test fun somethingElseThanAnArchiveIsRefused() =
+        assertRefused(ImportProblem.UNREADABLE, "hello".repeat(100).toByteArray())
 
-    @Test fun anArchiveWithoutABuildingIsRefused() = assertRefused(ImportProblem.NO_BUILDING, zipped(mapOf("readme.txt" to "hi".toByteArray())))
+    @Test fun anArchiveWithoutABuildingIsRefused() =
+        assertRefused(ImportProblem.NO_BUILDING, zipped(mapOf("readme.txt" to "hi".toByteArray())))
 
-    @Test fun severalBuildingsAreRefused() = assertRefused(ImportProblem.SEVERAL_BUILDINGS, zipped(good("a/") + good("b/")))
+    @Test fun severalBuildingsAreRefused() =
+        assertRefused(ImportProblem.SEVERAL_BUILDINGS, zipped(good("a/") + good("b/")))
 
     @Test fun whatTheCoreCannotUseIsRefusedWithItsFindings() {
         val bad = good() + ("room-office.room" to "1 0 0\n1 0 0 zero 1\n".toByteArray())

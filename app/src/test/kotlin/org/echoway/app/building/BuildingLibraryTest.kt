@@ -39,7 +39,9 @@ class BuildingLibraryTest {
         val library = library("mine")
         assertEquals(emptyList<FindingKind>(), library.check("mine").map { it.kind })
         config("mine").appendText("\nexit nowhere 1 1\n")
-        assertEquals(listOf("building.cfg" to FindingKind.UNKNOWN_ROOM), library.check("mine").map { it.file to it.kind })
+        assertEquals(
+            listOf("building.cfg" to FindingKind.UNKNOWN_ROOM), library.check("mine").map { it.file to it.kind },
+        )
         config("mine").appendText("door\n")
         assertEquals(null, library.find("mine"))
         assertEquals(FindingKind.BAD_LINE, library.check("mine").first().kind)

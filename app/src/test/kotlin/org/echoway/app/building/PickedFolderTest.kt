@@ -42,7 +42,8 @@ class PickedFolderTest {
     private fun picked(limits: ImportLimits = ImportLimits()) =
         PickedFolder(context.contentResolver, DocumentsContract.buildTreeDocumentUri(AUTHORITY, "root"), limits)
 
-    private fun twoRooms() = File(System.getProperty("echoway.root")!!, "maps/two-rooms").listFiles()!!.filter { it.isFile }
+    private fun twoRooms() =
+        File(System.getProperty("echoway.root")!!, "maps/two-rooms").listFiles()!!.filter { it.isFile }
 
     private fun assertRefused(problem: ImportProblem, limits: ImportLimits = ImportLimits()) {
         assertEquals(problem, assertThrows(ImportException::class.java) { import.folder("a", picked(limits)) }.problem)
@@ -111,11 +112,20 @@ private class FolderProvider : ContentProvider() {
 
     override fun onCreate() = true
 
-    override fun query(uri: Uri, columns: Array<String>?, selection: String?, arguments: Array<String>?, order: String?): Cursor {
+    override fun query(
+        uri: Uri,
+        columns: Array<String>?,
+        selection: String?,
+        arguments: Array<String>?,
+        order: String?,
+    ): Cursor {
         failure?.let { throw it }
         val parent = DocumentsContract.getDocumentId(uri)
-        val rows = MatrixCursor(arrayOf(Document.COLUMN_DOCUMENT_ID, Document.COLUMN_DISPLAY_NAME, Document.COLUMN_MIME_TYPE))
-        entries.filter { it.parent == parent }.forEach { rows.addRow(arrayOf(it.id, it.name, if (it.file == null) Document.MIME_TYPE_DIR else "text/plain")) }
+        val rows =
+            MatrixCursor(arrayOf(Document.COLUMN_DOCUMENT_ID, Document.COLUMN_DISPLAY_NAME, Document.COLUMN_MIME_TYPE))
+        entries.filter { it.parent == parent }.forEach {
+            rows.addRow(arrayOf(it.id, it.name, if (it.file == null) Document.MIME_TYPE_DIR else "text/plain"))
+        }
         return rows
     }
 

@@ -82,7 +82,11 @@ class MediaControlsTest {
             assertEquals(listOf(Ask.REPEAT), pressed(button, button))
             assertEquals(listOf(Ask.WAY_OUT), pressed(button, button, button))
             assertEquals(listOf(Ask.START_AGAIN), pressed(button, button, button, button))
-            assertEquals("slow presses are one each", listOf(Ask.WHERE_AM_I, Ask.WHERE_AM_I), pressed(button, button, betweenMs = 1_000))
+            assertEquals(
+                "slow presses are one each",
+                listOf(Ask.WHERE_AM_I, Ask.WHERE_AM_I),
+                pressed(button, button, betweenMs = 1_000),
+            )
         }
     }
 

@@ -18,7 +18,8 @@ internal fun MediaSession.press(keyCode: Int) {
     for (action in listOf(KeyEvent.ACTION_DOWN, KeyEvent.ACTION_UP)) {
         val intent = Intent(Intent.ACTION_MEDIA_BUTTON).putExtra(Intent.EXTRA_KEY_EVENT, KeyEvent(action, keyCode))
         ReflectionHelpers.callInstanceMethod<Unit>(
-            platformSession(this), "dispatchMediaButton", from(RemoteUserInfo::class.java, system), from(Intent::class.java, intent),
+            platformSession(this), "dispatchMediaButton", from(RemoteUserInfo::class.java, system),
+            from(Intent::class.java, intent),
         )
     }
 }

@@ -37,7 +37,9 @@ class StillnessWatchTest {
         }
 
         fun move() {
-            states.value = SamplePlan.running(clock.nowS(), SamplePlan.estimate(0, 1.0, 1.0)).copy(movedS = clock.nowS())
+            states.value = SamplePlan.running(
+                clock.nowS(), SamplePlan.estimate(0, 1.0, 1.0),
+            ).copy(movedS = clock.nowS())
             scope.runCurrent()
         }
 
@@ -47,10 +49,14 @@ class StillnessWatchTest {
         }
     }
 
-    private fun watching(settings: Settings = Settings(firefighter = true, notMovedAlertS = 30), test: Watch.() -> Unit) =
+    private fun watching(
+        settings: Settings = Settings(firefighter = true, notMovedAlertS = 30),
+        test: Watch.() -> Unit,
+    ) =
         runTest { Watch(this, settings).test() }
 
-    @Test fun itSaysWhatItIsNotAsSoonAsItWatches() = watching { assertEquals(listOf(Message.NotAPass), told.map { it.second }) }
+    @Test fun itSaysWhatItIsNotAsSoonAsItWatches() =
+        watching { assertEquals(listOf(Message.NotAPass), told.map { it.second }) }
 
     @Test fun warnsTenSecondsBeforeTheAlarm() = watching {
         wait(19.0)

@@ -44,7 +44,9 @@ class WhereAmITileTest {
         tile.onClick()
         settle()
         assertEquals(listOf("Guidance is off."), container.voice.words)
-        assertEquals(listOf(MainActivity::class.java.name), opened.map { shadowOf(it).savedIntent.component?.className })
+        assertEquals(
+            listOf(MainActivity::class.java.name), opened.map { shadowOf(it).savedIntent.component?.className },
+        )
     }
 
     /** The system's side of the tile, which the shadow leaves out; what it was asked to open. */
@@ -62,7 +64,9 @@ class WhereAmITileTest {
     @Test fun whileGuidanceRunsItAnswers() {
         val scope = CoroutineScope(Dispatchers.Main)
         val laboratory = runBlocking { container.buildings.find("torgersen-lab")!! }
-        scope.launch { container.guide.run(container.navigator.state, container.navigator.events, container.settings.settings) }
+        scope.launch {
+            container.guide.run(container.navigator.state, container.navigator.events, container.settings.settings)
+        }
         scope.launch { container.navigator.run(laboratory, Start(), container.belt, container.motion) }
         settle()
         tile.onStartListening()

@@ -91,7 +91,9 @@ class NavigatorTest {
     @Test fun aRecordingThatCannotBeReadIsSaid() = runTest {
         val navigator = navigating { ReplayedBelt(it) { throw IOException("there is no such recording") } }
         advanceTimeBy(100)
-        assertEquals(NavigationState.Failed(NoStart.RECORDING_UNREADABLE, "there is no such recording"), navigator.state.value)
+        assertEquals(
+            NavigationState.Failed(NoStart.RECORDING_UNREADABLE, "there is no such recording"), navigator.state.value,
+        )
     }
 
     @Test fun aBeltThatCannotBeIsSaid() = runTest {
@@ -169,14 +171,18 @@ class NavigatorTest {
         val start = Wish.StandAt(Start(room = 0))
         navigator.ask(start)
         runCurrent()
-        assertEquals(listOf(GuidanceEvent.Granted(Wish.BackTrack), GuidanceEvent.WayBackLost, GuidanceEvent.Granted(start)), events)
+        assertEquals(
+            listOf(GuidanceEvent.Granted(Wish.BackTrack), GuidanceEvent.WayBackLost, GuidanceEvent.Granted(start)),
+            events,
+        )
     }
 
     @Test fun whoWishesToBeAskedAgainWhetherTheBeltMayBeUsedIs() = runTest {
         var asked = 0
         val belt = object : BeltSource {
             override val bringsMotion = true
-            override val events = flowOf(BeltEvent.PermissionMissing, BeltEvent.PermissionRefused).onCompletion { awaitCancellation() }
+            override val events =
+                flowOf(BeltEvent.PermissionMissing, BeltEvent.PermissionRefused).onCompletion { awaitCancellation() }
 
             override fun askAgain() {
                 asked++

@@ -61,12 +61,15 @@ class AnnouncerTest {
 
     @Test fun manySensorsAtOnceAreOneLine() {
         startInOffice()
-        assertEquals(listOf(Message.SensorsBlocked(4)), told(inOffice, 3.0, SamplePlan.health(troubled = setOf(1, 2, 3, 4))))
+        assertEquals(
+            listOf(Message.SensorsBlocked(4)), told(inOffice, 3.0, SamplePlan.health(troubled = setOf(1, 2, 3, 4))),
+        )
     }
 
     @Test fun lowBatteryIsToldOnceAndNotAtEveryFlicker() {
         startInOffice()
-        val flicker = (1..10).flatMap { told(inOffice, 0.5, SamplePlan.health(batteryV = if (it % 2 == 0) 5.15 else 5.25)) }
+        val flicker =
+            (1..10).flatMap { told(inOffice, 0.5, SamplePlan.health(batteryV = if (it % 2 == 0) 5.15 else 5.25)) }
         assertEquals(listOf(Message.BatteryLow), flicker)
     }
 
@@ -81,15 +84,23 @@ class AnnouncerTest {
     @Test fun aRoomThatIsEnteredComesWithWhatIsNiceToKnow() {
         startInOffice()
         val entering = GuidanceEvent.Told(SampleCues.cue(CueKind.ENTERING, "Room 4, Seminar room.", room = 1))
-        assertEquals(listOf(Message.Told(entering.cue), Message.RoomDetail(1, listOf("Lectern"))), announcer.onEvent(entering))
+        assertEquals(
+            listOf(Message.Told(entering.cue), Message.RoomDetail(1, listOf("Lectern"))), announcer.onEvent(entering),
+        )
     }
 
     @Test fun whatCannotBeGrantedIsSaid() {
         val refused = { wish: Wish -> announcer.onEvent(GuidanceEvent.Refused(wish, "for a log")) }
         assertEquals(listOf(Message.CannotLead(NoWay.NO_EXIT_KNOWN)), refused(Wish.LeadTo(Destination.WAY_OUT)))
         startInOffice()
-        assertEquals("an exit is known, but none is reached", listOf(Message.CannotLead(NoWay.NOT_REACHABLE)), refused(Wish.LeadTo(Destination.WAY_OUT)))
-        assertEquals(listOf(Message.CannotLead(NoWay.NOT_REACHABLE)), refused(Wish.LeadTo(Destination(DestinationKind.ROOM, 1))))
+        assertEquals(
+            "an exit is known, but none is reached",
+            listOf(Message.CannotLead(NoWay.NOT_REACHABLE)),
+            refused(Wish.LeadTo(Destination.WAY_OUT)),
+        )
+        assertEquals(
+            listOf(Message.CannotLead(NoWay.NOT_REACHABLE)), refused(Wish.LeadTo(Destination(DestinationKind.ROOM, 1))),
+        )
         assertEquals(listOf(Message.CannotLead(NoWay.NOTHING_WALKED_YET)), refused(Wish.BackTrack))
         assertEquals(listOf(Message.NothingToRepeat), refused(Wish.Repeat))
     }
@@ -108,7 +119,9 @@ class AnnouncerTest {
         )
         told(inOffice, 1.0, line = Line.GONE)
         val noBelt = Message.Unanswerable(NoAnswer.NoBelt(SamplePlan.office))
-        assertEquals("the way back is told once the belt is heard", listOf(Message.LeadingBack, noBelt), granted(Wish.BackTrack))
+        assertEquals(
+            "the way back is told once the belt is heard", listOf(Message.LeadingBack, noBelt), granted(Wish.BackTrack),
+        )
     }
 
     @Test fun aBeltThatWasRefusedIsToldAndWhoAsksIsAskedAgain() {
@@ -116,8 +129,14 @@ class AnnouncerTest {
         assertEquals(NoAnswer.NotAllowed, announcer.withoutAnswer())
         assertEquals(listOf(Message.BeltRefused), told(inOffice, 5.0, BeltHealth.NONE, Line.REFUSED))
         assertEquals(NoAnswer.NotAllowed, announcer.withoutAnswer())
-        assertEquals("the answer said it", emptyList<Message>(), told(inOffice, 5.0, BeltHealth.NONE, Line.PERMISSION_MISSING))
-        assertEquals("twice refused is told twice", listOf(Message.BeltRefused), told(inOffice, 5.0, BeltHealth.NONE, Line.REFUSED))
+        assertEquals(
+            "the answer said it", emptyList<Message>(), told(inOffice, 5.0, BeltHealth.NONE, Line.PERMISSION_MISSING),
+        )
+        assertEquals(
+            "twice refused is told twice",
+            listOf(Message.BeltRefused),
+            told(inOffice, 5.0, BeltHealth.NONE, Line.REFUSED),
+        )
         assertEquals(listOf(Message.BeltBack), told(inOffice, 5.0))
     }
 

@@ -59,7 +59,8 @@ class GuideTest {
         private val states = MutableStateFlow<NavigationState>(NavigationState.Idle)
         private val events = MutableSharedFlow<GuidanceEvent>(extraBufferCapacity = 64)
         private val clock = VirtualClock(scope.testScheduler)
-        val guide = Guide({ Wording.of(context, it) }, SpeechQueue(voice, clock, scope.backgroundScope), buzzer, core, clock)
+        val guide =
+            Guide({ Wording.of(context, it) }, SpeechQueue(voice, clock, scope.backgroundScope), buzzer, core, clock)
 
         init {
             scope.backgroundScope.launch { guide.follow(this@Situation.settings.settings) }
@@ -129,7 +130,8 @@ class GuideTest {
     }
 
     @Test fun verbosityAndServiceModelDecideWhatIsHeard() {
-        val always = setOf(wrongWay, unsure, obstacle, answer[1], answer[2]).map { it.cue.words }.toSet() + answer[0].cue.words
+        val always =
+            setOf(wrongWay, unsure, obstacle, answer[1], answer[2]).map { it.cue.words }.toSet() + answer[0].cue.words
         val ways = setOf(turn, straight, arrived).map { it.cue.words }
         // The answer has the same words as entering the room: enteringIsHeardUnlessBrief tells them apart.
         assertEquals(always + ways + stairs.cue.words, spoken(Settings(verbosity = Verbosity.BRIEF)))
@@ -197,7 +199,9 @@ class GuideTest {
         guide.ask(Ask.WAY_OUT)
         guide.ask(Ask.WAY_BACK)
         guide.ask(Ask.STOP_LEADING)
-        assertEquals(listOf(Wish.WhereAmI, Wish.LeadTo(Destination.WAY_OUT), Wish.BackTrack, Wish.StopLeading), core.wishes)
+        assertEquals(
+            listOf(Wish.WhereAmI, Wish.LeadTo(Destination.WAY_OUT), Wish.BackTrack, Wish.StopLeading), core.wishes,
+        )
         happens(*core.wishes.map(GuidanceEvent::Granted).toTypedArray())
         assertEquals("the newest word on leading is the one that counts", listOf("No longer leading you."), heard())
     }
@@ -235,7 +239,9 @@ class GuideTest {
         assertEquals(listOf<Wish>(Wish.AllowBelt), core.wishes)
         assertEquals(listOf("Belt found. Allow its use on screen."), heard())
         guide.ask(Ask.WAY_OUT)
-        assertEquals("who wants out is asked too", listOf(Wish.LeadTo(Destination.WAY_OUT), Wish.AllowBelt), core.wishes.drop(1))
+        assertEquals(
+            "who wants out is asked too", listOf(Wish.LeadTo(Destination.WAY_OUT), Wish.AllowBelt), core.wishes.drop(1),
+        )
     }
 
     @Test fun whoWantsBackIsAskedAgainForTheBeltTheyRefused() = walking {
@@ -264,7 +270,9 @@ class GuideTest {
         guide.ask(Ask.MUTE)
         heard()
         happens(GuidanceEvent.BeltChanged(12), GuidanceEvent.WayBackLost)
-        assertEquals(listOf("Belt has twelve sensors. Finding where you are.", "Way back lost. Ask for the way out."), heard())
+        assertEquals(
+            listOf("Belt has twelve sensors. Finding where you are.", "Way back lost. Ask for the way out."), heard(),
+        )
         assertEquals(Touch.UNSURE, buzzer.felt.last())
     }
 
@@ -323,7 +331,9 @@ class GuideTest {
         }
     }
 
-    @Test fun cuesAreWordedAsTheWearerWants() = walking(Settings(directions = DirectionStyle.CLOCK, lengths = LengthStyle.METRES)) {
+    @Test fun cuesAreWordedAsTheWearerWants() = walking(
+        Settings(directions = DirectionStyle.CLOCK, lengths = LengthStyle.METRES),
+    ) {
         assertEquals(SpeechStyle(Language.ENGLISH, DirectionStyle.CLOCK, LengthStyle.METRES), core.style)
         choose { it.copy(language = Language.FRENCH) }
         assertEquals(Language.FRENCH, core.style?.language)
@@ -342,7 +352,9 @@ class GuideTest {
         assertEquals(Touch.LEFT, felt(told(CueKind.TURN, "Turn slightly left.", 30.0)))
         assertEquals(Touch.RIGHT, felt(told(CueKind.TURN, "Turn sharp right.", -150.0)))
         assertEquals(Touch.TURN_AROUND, felt(told(CueKind.TURN, "Turn around.", 175.0)))
-        assertEquals(Touch.TURN_AROUND, felt(GuidanceEvent.Told(SampleCues.cue(CueKind.WRONG_WAY, "", tail = tail(180.0)))))
+        assertEquals(
+            Touch.TURN_AROUND, felt(GuidanceEvent.Told(SampleCues.cue(CueKind.WRONG_WAY, "", tail = tail(180.0)))),
+        )
         assertEquals(Touch.RIGHT, felt(GuidanceEvent.Told(SampleCues.cue(CueKind.STOP, "", tail = tail(-90.0)))))
         assertEquals(Touch.SOMETHING_AHEAD, felt(told(CueKind.STOP, "Stop.")))
         assertEquals(Touch.AHEAD, felt(straight))
@@ -400,8 +412,16 @@ class GuideTest {
     @Test fun aPhoneThatCannotVibrateSaysSoOnce() = runTest {
         val clock = VirtualClock(testScheduler)
         val voice = RecordingVoice(clock)
-        val guide = Guide({ Wording.of(context, it) }, SpeechQueue(voice, clock, backgroundScope), RecordingBuzzer(present = false), RecordingCore(), clock)
-        backgroundScope.launch { guide.run(MutableStateFlow(NavigationState.Idle), MutableSharedFlow(), MutableStateFlow(Settings())) }
+        val guide = Guide(
+            { Wording.of(context, it) },
+            SpeechQueue(voice, clock, backgroundScope),
+            RecordingBuzzer(present = false),
+            RecordingCore(),
+            clock,
+        )
+        backgroundScope.launch {
+            guide.run(MutableStateFlow(NavigationState.Idle), MutableSharedFlow(), MutableStateFlow(Settings()))
+        }
         advanceTimeBy(5_000)
         assertEquals(listOf("This phone cannot vibrate."), voice.words)
     }

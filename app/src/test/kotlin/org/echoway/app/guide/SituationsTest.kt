@@ -41,8 +41,8 @@ import org.junit.Test
 import org.junit.runner.RunWith
 
 /**
- * The table of situations: the exact words, in which manners of speaking they are heard, and how long they may wait while
- * the voice is not to be had. What the core says it words itself (its own tests have the same lines).
+ * The table of situations: the exact words, in which manners of speaking they are heard, and how long they may wait
+ * while the voice is not to be had. What the core says it words itself (its own tests have the same lines).
  */
 @RunWith(AndroidJUnit4::class)
 @OptIn(ExperimentalCoroutinesApi::class)
@@ -50,9 +50,22 @@ class SituationsTest {
     private val wording = Wording.of(ApplicationProvider.getApplicationContext<Context>(), Language.ENGLISH)
 
     /** [heard]: b, n, f: what is needed, rooms and doors too, everything; r: only when asked; m: muted. */
-    private class Row(val situation: String, val words: String, val heard: String, val validS: Double, val message: Message)
+    private class Row(
+        val situation: String,
+        val words: String,
+        val heard: String,
+        val validS: Double,
+        val message: Message,
+    )
 
-    private fun core(situation: String, words: String, heard: String, validS: Double, kind: CueKind, asked: Boolean = false): Row {
+    private fun core(
+        situation: String,
+        words: String,
+        heard: String,
+        validS: Double,
+        kind: CueKind,
+        asked: Boolean = false,
+    ): Row {
         val cue = SampleCues.cue(kind, words).let { if (asked) it.copy(urgency = Urgency.ASKED) else it }
         return Row(situation, words, heard, validS, Message.Told(cue))
     }

@@ -21,7 +21,8 @@ import org.junit.runner.RunWith
 class WordingTest {
     private val context = ApplicationProvider.getApplicationContext<Context>()
 
-    private fun words(message: Message, language: Language = Language.ENGLISH) = Wording.of(context, language).words(message)
+    private fun words(message: Message, language: Language = Language.ENGLISH) =
+        Wording.of(context, language).words(message)
 
     private val english = mapOf(
         Message.Told(SampleCues.cue(CueKind.TURN, "Turn left.")) to "Turn left.",
@@ -40,7 +41,9 @@ class WordingTest {
         Message.StillCancelled to "Alarm off.",
         Message.RecordedWalk to "Recorded walk. Not where you really are.",
         Message.Interrupted(SamplePlan.plan, null) to "Guidance was interrupted. Ask the way again.",
-        Message.Interrupted(SamplePlan.plan, Destination.WAY_OUT) to "Guidance was interrupted. Destination stays: Way out.",
+        Message.Interrupted(
+            SamplePlan.plan, Destination.WAY_OUT,
+        ) to "Guidance was interrupted. Destination stays: Way out.",
         Message.RecordingOver to "The recorded walk is over.",
         Message.SensorBlocked(Side.FRONT_LEFT, 1) to "Front left sensor blocked.",
         Message.SensorClear(Side.BACK, 7) to "Back sensor clear.",
@@ -71,7 +74,9 @@ class WordingTest {
         Message.WayBackLost to "Way back lost. Ask for the way out.",
         Message.StartedAgain(SamplePlan.plan, Destination(DestinationKind.EXIT, 0)) to "Starting again: Main entrance.",
         Message.StartedAgain(SamplePlan.plan, null) to "Starting again.",
-        Message.CannotStandAt(SamplePlan.plan, Destination(DestinationKind.EXIT, 0)) to "Cannot start at Main entrance. Choose another place.",
+        Message.CannotStandAt(
+            SamplePlan.plan, Destination(DestinationKind.EXIT, 0),
+        ) to "Cannot start at Main entrance. Choose another place.",
         Message.CannotStandAt(SamplePlan.plan, null) to "Cannot start there. Choose another place.",
     )
 
@@ -93,10 +98,13 @@ class WordingTest {
     }
 
     @Test fun everyLanguageHasItsOwnWords() {
+        val namesOnly = Message.RoomDetail(0, listOf("Lectern", "Piano"))
         for (language in listOf(Language.GERMAN, Language.FRENCH)) {
-            english.keys.filterNot { it is Message.Told || it is Message.Again || it == Message.RoomDetail(0, listOf("Lectern", "Piano")) }.forEach {
-                val line = words(it, language)
-                assertTrue("$language: $line", line.isNotEmpty() && line != words(it))
+            for (message in english.keys) {
+                // What the core or the plan words is the same in every language.
+                if (message is Message.Told || message is Message.Again || message == namesOnly) continue
+                val line = words(message, language)
+                assertTrue("$language: $line", line.isNotEmpty() && line != words(message))
                 assertTrue("$language: $line", line.split(' ').size <= 8)
             }
         }
@@ -106,9 +114,15 @@ class WordingTest {
 
     @Test fun pluralsAreThoseOfTheLanguage() {
         val doors = { count: Int, language: Language -> words(Message.RoomDetail(count, emptyList()), language) }
-        assertEquals(listOf("One door.", "Two doors.", "Twelve doors."), listOf(1, 2, 12).map { doors(it, Language.ENGLISH) })
-        assertEquals(listOf("Eine Tür.", "Zwei Türen.", "Zwölf Türen."), listOf(1, 2, 12).map { doors(it, Language.GERMAN) })
-        assertEquals(listOf("Une porte.", "Deux portes.", "Douze portes."), listOf(1, 2, 12).map { doors(it, Language.FRENCH) })
+        assertEquals(
+            listOf("One door.", "Two doors.", "Twelve doors."), listOf(1, 2, 12).map { doors(it, Language.ENGLISH) },
+        )
+        assertEquals(
+            listOf("Eine Tür.", "Zwei Türen.", "Zwölf Türen."), listOf(1, 2, 12).map { doors(it, Language.GERMAN) },
+        )
+        assertEquals(
+            listOf("Une porte.", "Deux portes.", "Douze portes."), listOf(1, 2, 12).map { doors(it, Language.FRENCH) },
+        )
     }
 
     @Test fun destinationsAreCalledWhatTheyAre() {

@@ -47,7 +47,13 @@ class LogTest {
         val witness = RecordingSwitch(recordings, building)
         backgroundScope.launch { witness.follow(flowOf(true)) }
         backgroundScope.launch {
-            navigator.run(building, Start(room = 0), ReplayedBelt(clock) { WalkLog.read(asset("scans"), asset("motion")) }, MotionSource { emptyFlow() }, witness)
+            navigator.run(
+                building,
+                Start(room = 0),
+                ReplayedBelt(clock) { WalkLog.read(asset("scans"), asset("motion")) },
+                MotionSource { emptyFlow() },
+                witness,
+            )
         }
         advanceTimeBy(20_000)
         val estimate = (navigator.state.value as NavigationState.Running).estimate

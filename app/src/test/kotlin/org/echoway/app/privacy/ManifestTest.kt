@@ -25,7 +25,8 @@ class ManifestTest {
     @Test fun nothingButTheseIsAskedFor() {
         val own = "${context.packageName}.DYNAMIC_RECEIVER_NOT_EXPORTED_PERMISSION"
         val expected = listOf(
-            "ACTIVITY_RECOGNITION", "FOREGROUND_SERVICE", "FOREGROUND_SERVICE_CONNECTED_DEVICE", "FOREGROUND_SERVICE_SPECIAL_USE",
+            "ACTIVITY_RECOGNITION", "FOREGROUND_SERVICE", "FOREGROUND_SERVICE_CONNECTED_DEVICE",
+            "FOREGROUND_SERVICE_SPECIAL_USE",
             "POST_NOTIFICATIONS", "VIBRATE", "WAKE_LOCK",
         ).map { "android.permission.$it" }
         val ofTheTests = "android.permission.REORDER_TASKS"
@@ -43,7 +44,11 @@ class ManifestTest {
         var section = ""
         while (rules.next() != XmlPullParser.END_DOCUMENT) {
             if (rules.eventType != XmlPullParser.START_TAG) continue
-            if (rules.name == "exclude") excluded.getOrPut(section) { mutableSetOf() } += rules.getAttributeValue(null, "domain") else section = rules.name
+            if (rules.name == "exclude") {
+                excluded.getOrPut(section) { mutableSetOf() } += rules.getAttributeValue(null, "domain")
+            } else {
+                section = rules.name
+            }
         }
         val everything = setOf("root", "file", "database", "sharedpref", "external")
         assertEquals(mapOf("cloud-backup" to everything, "device-transfer" to everything), excluded)
@@ -54,8 +59,13 @@ class ManifestTest {
     @Test fun onlyRecordingsCanBeShared() {
         forgetSharedFolders()
         val recording = File(context.filesDir, "recordings/a.scans.csv")
-        assertEquals("content://${context.packageName}.files/recordings/a.scans.csv", FileProvider.getUriForFile(context, "${context.packageName}.files", recording).toString())
+        assertEquals(
+            "content://${context.packageName}.files/recordings/a.scans.csv",
+            FileProvider.getUriForFile(context, "${context.packageName}.files", recording).toString(),
+        )
         val settings = File(context.filesDir, "datastore/settings.preferences_pb")
-        assertThrows(IllegalArgumentException::class.java) { FileProvider.getUriForFile(context, "${context.packageName}.files", settings) }
+        assertThrows(IllegalArgumentException::class.java) {
+            FileProvider.getUriForFile(context, "${context.packageName}.files", settings)
+        }
     }
 }

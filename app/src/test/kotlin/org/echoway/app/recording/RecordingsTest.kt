@@ -52,9 +52,12 @@ class RecordingsTest {
             "# building sample\n# sensors 3\ntime_s,sensor,range_m\n0.0000,0,1.5000\n0.0624,1,\n",
             file(".scans.csv").readText(),
         )
-        assertEquals("time_s,kind,value\n0.0300,step,1.0000\n0.0700,yaw_rate_dps,90.0000\n", file(".motion.csv").readText())
         assertEquals(
-            "time_s,room,x_m,y_m,heading_deg,sigma_m,room_probability,state\n0.0624,4,2.0000,3.0000,90.0000,0.1000,0.9500,tracking\n",
+            "time_s,kind,value\n0.0300,step,1.0000\n0.0700,yaw_rate_dps,90.0000\n", file(".motion.csv").readText(),
+        )
+        assertEquals(
+            "time_s,room,x_m,y_m,heading_deg,sigma_m,room_probability,state\n" +
+                "0.0624,4,2.0000,3.0000,90.0000,0.1000,0.9500,tracking\n",
             file(".track.csv").readText(),
         )
     }
@@ -101,7 +104,10 @@ class RecordingsTest {
         val log = WalkLog.read(file(".scans.csv").bufferedReader())
         assertEquals(3, log.firings.size)
         assertEquals(listOf(0.0, 0.1624), log.restarts.map { it.timeS })
-        assertEquals(listOf(Start(), Start(1, Point(2.0, 3.0), Math.toRadians(90.0))), log.restarts.map { it.startIn(SamplePlan.plan) })
+        assertEquals(
+            listOf(Start(), Start(1, Point(2.0, 3.0), Math.toRadians(90.0))),
+            log.restarts.map { it.startIn(SamplePlan.plan) },
+        )
     }
 
     @Test fun afterACrashTheWalkIsThereButForTheLastSecond() {

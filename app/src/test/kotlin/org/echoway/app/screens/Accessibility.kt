@@ -24,9 +24,9 @@ import com.google.android.apps.common.testing.accessibility.framework.utils.cont
 import org.junit.Assert.assertEquals
 
 /**
- * Asserts what every screen owes a wearer who touches without looking, or reads with little sight: everything has a name,
- * nothing that is touched is below 48 dp, text stands out from its ground, no text is cut, and the screen's heading is
- * what a reader comes to first.
+ * Asserts what every screen owes a wearer who touches without looking, or reads with little sight: everything has a
+ * name, nothing that is touched is below 48 dp, text stands out from its ground, no text is cut, and the screen's
+ * heading is what a reader comes to first.
  */
 fun SemanticsNodeInteractionsProvider.assertAccessible() {
     val root = onTopWindow().fetchSemanticsNode()
@@ -39,7 +39,10 @@ fun SemanticsNodeInteractionsProvider.onTopWindow(): SemanticsNodeInteraction = 
 
 /** What a screen reader says when one swipes through the screen: a line a stop, in order. */
 fun SemanticsNodeInteractionsProvider.spokenLines(): List<String> =
-    onTopWindow().fetchSemanticsNode().stops().map { node -> (listOf(node.said) + listOfNotNull(node.stateSaid)).joinToString(", ") }
+    onTopWindow()
+        .fetchSemanticsNode()
+        .stops()
+        .map { node -> (listOf(node.said) + listOfNotNull(node.stateSaid)).joinToString(", ") }
 
 private fun frameworkProblems(view: View): List<String> {
     val node = view.createAccessibilityNodeInfo()
@@ -53,17 +56,23 @@ private fun frameworkProblems(view: View): List<String> {
         .filterNot { it is RedundantDescriptionCheck } // its list of words is missing from the published archive
         .flatMap { it.runCheckOnHierarchy(hierarchy, null, parameters) }
         // The edge of what scrolls cuts letters through, and what is left of them has no colour of its own.
-        .filterNot { it.sourceCheckClass == TextContrastCheck::class.java && PARTLY_SEEN.any { key -> it.metadata?.getBoolean(key, false) == true } }
+        .filterNot {
+            it.sourceCheckClass == TextContrastCheck::class.java && PARTLY_SEEN.any { key ->
+                it.metadata?.getBoolean(key, false) == true
+            }
+        }
         .filter { it.type == AccessibilityCheckResultType.ERROR || it.type == AccessibilityCheckResultType.WARNING }
         .map(::told)
 }
 
-private val PARTLY_SEEN = listOf(TextContrastCheck.KEY_IS_AGAINST_SCROLLABLE_EDGE, TextContrastCheck.KEY_IS_POTENTIALLY_OBSCURED)
+private val PARTLY_SEEN =
+    listOf(TextContrastCheck.KEY_IS_AGAINST_SCROLLABLE_EDGE, TextContrastCheck.KEY_IS_POTENTIALLY_OBSCURED)
 
 private fun told(result: AccessibilityHierarchyCheckResult): String {
     val element = result.element
     val name = element?.contentDescription ?: element?.text ?: element?.className
-    return "${result.sourceCheckClass.simpleName} ${result.resultId}: $name ${element?.boundsInScreen} ${result.metadata}"
+    val check = "${result.sourceCheckClass.simpleName} ${result.resultId}"
+    return "$check: $name ${element?.boundsInScreen} ${result.metadata}"
 }
 
 private fun picture(view: View): Bitmap =
@@ -73,7 +82,8 @@ private fun picture(view: View): Bitmap =
 private fun textProblems(root: SemanticsNode): List<String> = root.descendants().mapNotNull { node ->
     val layouts = mutableListOf<TextLayoutResult>()
     node.config.getOrNull(SemanticsActions.GetTextLayoutResult)?.action?.invoke(layouts) ?: return@mapNotNull null
-    val clipped = !node.scrolls() && (node.boundsInRoot.width < node.size.width - 1 || node.boundsInRoot.height < node.size.height - 1)
+    val clipped = !node.scrolls() &&
+        (node.boundsInRoot.width < node.size.width - 1 || node.boundsInRoot.height < node.size.height - 1)
     val words = node.config.getOrNull(SemanticsProperties.Text)?.joinToString()
     when {
         layouts.any(::overflows) -> "text overflows: $words"
@@ -85,7 +95,8 @@ private fun textProblems(root: SemanticsNode): List<String> = root.descendants()
 /** Sizes are whole pixels and paragraphs are not; the rest of a pixel is no loss. */
 private fun overflows(layout: TextLayoutResult): Boolean {
     val widest = (0 until layout.lineCount).maxOf { layout.getLineRight(it) - layout.getLineLeft(it) }
-    return layout.multiParagraph.didExceedMaxLines || layout.multiParagraph.height > layout.size.height + 1 || widest > layout.size.width + 1
+    return layout.multiParagraph.didExceedMaxLines || layout.multiParagraph.height > layout.size.height + 1 ||
+        widest > layout.size.width + 1
 }
 
 private fun headingProblems(root: SemanticsNode): List<String> {
@@ -102,7 +113,8 @@ private fun SemanticsNode.scrolls(): Boolean =
 /** Where a screen reader stops: merged nodes that have something to say. */
 private fun SemanticsNode.stops(): List<SemanticsNode> {
     val own = if (said.isNotEmpty()) listOf(this) else emptyList()
-    return own + children.sortedBy { it.config.getOrNull(SemanticsProperties.TraversalIndex) ?: 0f }.flatMap { it.stops() }
+    return own + children.sortedBy { it.config.getOrNull(SemanticsProperties.TraversalIndex) ?: 0f }
+        .flatMap { it.stops() }
 }
 
 private val SemanticsNode.said: String

@@ -39,11 +39,14 @@ class AccessibilityTest {
         assertTrue(error.message, problem in error.message!!)
     }
 
-    @Test fun somethingWithoutAName() = assertFound("SpeakableTextPresentCheck") { Box(Modifier.size(60.dp).clickable {}) }
+    @Test fun somethingWithoutAName() =
+        assertFound("SpeakableTextPresentCheck") { Box(Modifier.size(60.dp).clickable {}) }
 
-    @Test fun aTargetThatIsTooSmall() = assertFound("TouchTargetSizeCheck") { Box(Modifier.size(30.dp).clickable {}) { Text("A") } }
+    @Test fun aTargetThatIsTooSmall() =
+        assertFound("TouchTargetSizeCheck") { Box(Modifier.size(30.dp).clickable {}) { Text("A") } }
 
-    @Test fun textThatDoesNotStandOut() = assertFound("TextContrastCheck") { Text("Hardly to be read", color = Color(0xFFBBBBBB)) }
+    @Test fun textThatDoesNotStandOut() =
+        assertFound("TextContrastCheck") { Text("Hardly to be read", color = Color(0xFFBBBBBB)) }
 
     @Test fun textThatIsCut() = assertFound("text overflows") { Text("Half of this", Modifier.height(8.dp)) }
 

@@ -37,7 +37,9 @@ fun specimens(): List<Specimen> = liveSpecimens() + choosingSpecimens() + dataSp
 
 /** The plan of the Torgersen laboratory, through the core. */
 internal val torgersen: Plan by lazy {
-    runBlocking { BundledBuildings(ApplicationProvider.getApplicationContext<Context>(), 1).find("torgersen-lab")!!.plan }
+    runBlocking {
+        BundledBuildings(ApplicationProvider.getApplicationContext<Context>(), 1).find("torgersen-lab")!!.plan
+    }
 }
 
 /** "Room 4, Seminar room.": the room's name is the plan's own in every language. */
@@ -55,7 +57,9 @@ private fun tracking() = LiveUiState.On(
     plan = torgersen,
     words = whereOneIs(),
     lastLine = inItsLanguage("Door behind you, eight feet.", "Tür hinter Ihnen, zweieinhalb Meter."),
-    wearer = SamplePlan.estimate(room = torgersen.rooms.indexOfFirst { it.id == "4" }, x = 2.4, y = 2.6, headingDegrees = 30.0, sigmaM = 0.4),
+    wearer = SamplePlan.estimate(
+        room = torgersen.rooms.indexOfFirst { it.id == "4" }, x = 2.4, y = 2.6, headingDegrees = 30.0, sigmaM = 0.4,
+    ),
     level = 3,
     voiceMissing = false,
     picture = pictureToHall(),
@@ -64,15 +68,22 @@ private fun tracking() = LiveUiState.On(
 /** From room 4 through the corridor and room 1 to the hall; the wearer came from room 3. */
 private fun pictureToHall(): Picture {
     fun room(id: String) = torgersen.rooms.indexOfFirst { it.id == id }
-    fun door(from: String, to: String) = torgersen.doors.first { setOf(it.a.room, it.b.room) == setOf(room(from), room(to)) }
-    fun Door.through(from: String, to: String) = Waypoint(Spot(room(from), seenFrom(room(from))!!), WaypointKind.DOOR, 0, Spot(room(to), seenFrom(room(to))!!))
+    fun door(from: String, to: String) =
+        torgersen.doors.first { setOf(it.a.room, it.b.room) == setOf(room(from), room(to)) }
+    fun Door.through(from: String, to: String) =
+        Waypoint(Spot(room(from), seenFrom(room(from))!!), WaypointKind.DOOR, 0, Spot(room(to), seenFrom(room(to))!!))
     val here = Spot(room("4"), Point(2.4, 2.6))
     val doors = listOf("4" to "2", "2" to "1", "1" to "hall").map { (from, to) -> door(from, to).through(from, to) }
     val goal = doors.last().next!!.let { it.copy(at = Point(it.at.x, it.at.y - 3.0)) }
     val way = listOf(Waypoint(here, WaypointKind.START, -1, null)) + doors + Waypoint(goal, WaypointKind.GOAL, -1, null)
     val came = door("3", "2").seenFrom(room("3"))!!
     val trail = (0..8).map { Spot(room("3"), Point(came.x + it * 0.3, came.y)) }
-    return Picture(Route(way, 14.0, 0.4, usesStairs = false, usesElevator = false, Destination(DestinationKind.ROOM, room("hall"))), trail)
+    return Picture(
+        Route(
+            way, 14.0, 0.4, usesStairs = false, usesElevator = false, Destination(DestinationKind.ROOM, room("hall")),
+        ),
+        trail,
+    )
 }
 
 private fun live(name: String, variants: Set<Variant> = LIGHT_ONLY, state: @Composable () -> LiveUiState) =
@@ -80,16 +91,24 @@ private fun live(name: String, variants: Set<Variant> = LIGHT_ONLY, state: @Comp
 
 private fun liveSpecimens() = listOf(
     live("live-tracking", USUAL + Variant.SMOKE + Variant.GERMAN_LARGE_TEXT) { tracking() },
-    live("live-no-voice") { tracking().copy(words = "Belt disconnected.", lastLine = "Belt disconnected.", wearer = null, voiceMissing = true) },
+    live("live-no-voice") {
+        tracking().copy(
+            words = "Belt disconnected.", lastLine = "Belt disconnected.", wearer = null, voiceMissing = true,
+        )
+    },
     live("live-off") { LiveUiState.Off(torgersen.name, torgersen) },
-    live("live-failed") { LiveUiState.Failed("Cannot start. The floor plan is unusable.", "building.cfg:3: there is no room 12") },
+    live("live-failed") {
+        LiveUiState.Failed("Cannot start. The floor plan is unusable.", "building.cfg:3: there is no room 12")
+    },
     live("live-needs-setup") { LiveUiState.NeedsSetup },
 )
 
 private fun choosingSpecimens() = listOf(
     Specimen("menu") { MenuScreen({}, {}) },
     Specimen("settings") { SettingsScreen(Settings(), {}, {}) },
-    Specimen("setup-no-buildings", emptySet()) { SetupScreen(SetupUiState.NoBuildings, SetupActions({}, {}, {}, {}, {})) },
+    Specimen("setup-no-buildings", emptySet()) {
+        SetupScreen(SetupUiState.NoBuildings, SetupActions({}, {}, {}, {}, {}))
+    },
     Specimen("setup") { SetupScreen(setup(), SetupActions({}, {}, {}, {}, {})) },
 )
 

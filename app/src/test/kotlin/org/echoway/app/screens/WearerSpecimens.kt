@@ -25,18 +25,37 @@ import org.echoway.core.DestinationKind
 internal fun wearerSpecimens() = listOf(
     Specimen("destinations") {
         val groups = listOf(
-            group(stringResource(R.string.places), DestinationKind.PLACE, "Front desk, in Room 1, Front office", "Lectern, in Room 4, Seminar room"),
-            group(stringResource(R.string.exits), DestinationKind.EXIT, "East stairs, in Room 7, Hall", "Main entrance, in Room 7, Hall"),
+            group(
+                stringResource(R.string.places),
+                DestinationKind.PLACE,
+                "Front desk, in Room 1, Front office",
+                "Lectern, in Room 4, Seminar room",
+            ),
+            group(
+                stringResource(R.string.exits),
+                DestinationKind.EXIT,
+                "East stairs, in Room 7, Hall",
+                "Main entrance, in Room 7, Hall",
+            ),
         )
         DestinationsScreen(
-            DestinationsUiState.Ready(stringResource(R.string.leading_to, "Lectern"), led = true, answered = false, groups),
+            DestinationsUiState.Ready(
+                stringResource(R.string.leading_to, "Lectern"), led = true, answered = false, groups,
+            ),
             DestinationsActions({}, {}, {}),
         )
     },
-    Specimen("destinations-off", LIGHT_ONLY) { DestinationsScreen(DestinationsUiState.Off, DestinationsActions({}, {}, {})) },
+    Specimen("destinations-off", LIGHT_ONLY) {
+        DestinationsScreen(DestinationsUiState.Off, DestinationsActions({}, {}, {}))
+    },
     Specimen("here") {
         val groups = listOf(
-            group(stringResource(R.string.exits), DestinationKind.EXIT, "East stairs, in Room 7, Hall", "Main entrance, in Room 7, Hall"),
+            group(
+                stringResource(R.string.exits),
+                DestinationKind.EXIT,
+                "East stairs, in Room 7, Hall",
+                "Main entrance, in Room 7, Hall",
+            ),
             group(stringResource(R.string.rooms), DestinationKind.ROOM, "Room 1, Front office", "Room 2, Corridor"),
         )
         HereScreen(HereUiState.Ready(groups), HereActions({}, {}))
@@ -44,20 +63,46 @@ internal fun wearerSpecimens() = listOf(
     Specimen("here-off", LIGHT_ONLY) { HereScreen(HereUiState.Off, HereActions({}, {})) },
     Specimen("practice") { PracticeScreen(canVibrate = true, { _, _ -> }, {}) },
     Specimen("practice-no-vibrator", LIGHT_ONLY) { PracticeScreen(canVibrate = false, { _, _ -> }, {}) },
-    firefighter("firefighter", setOf(Variant.LIGHT, Variant.LARGE_TEXT, Variant.GERMAN_LARGE_TEXT, Variant.TABLET), running = true, Stillness.MOVING),
+    firefighter(
+        "firefighter",
+        setOf(Variant.LIGHT, Variant.LARGE_TEXT, Variant.GERMAN_LARGE_TEXT, Variant.TABLET),
+        running = true,
+        Stillness.MOVING,
+    ),
     firefighter("firefighter-alarm", setOf(Variant.LIGHT, Variant.GERMAN_LARGE_TEXT), running = true, Stillness.ALARM),
     firefighter("firefighter-off", LIGHT_ONLY, running = false, Stillness.MOVING),
-    firefighter("firefighter-no-voice", setOf(Variant.LIGHT, Variant.GERMAN_LARGE_TEXT), running = true, Stillness.MOVING, voiceMissing = true),
+    firefighter(
+        "firefighter-no-voice",
+        setOf(Variant.LIGHT, Variant.GERMAN_LARGE_TEXT),
+        running = true,
+        Stillness.MOVING,
+        voiceMissing = true,
+    ),
     firstRun("first-run-belt", USUAL, FirstRunStep.BELT),
     firstRun("first-run-front", LIGHT_ONLY, FirstRunStep.FRONT),
     firstRun("first-run-practice", setOf(Variant.LIGHT, Variant.GERMAN_LARGE_TEXT), FirstRunStep.PRACTICE),
 )
 
 private fun group(title: String, kind: DestinationKind, vararg names: String) =
-    DestinationGroup(title, names.mapIndexed { i, name -> DestinationOption(Destination(kind, i), name, name.startsWith("Lectern")) })
+    DestinationGroup(
+        title,
+        names.mapIndexed { i, name -> DestinationOption(Destination(kind, i), name, name.startsWith("Lectern")) },
+    )
 
-private fun firefighter(name: String, variants: Set<Variant>, running: Boolean, stillness: Stillness, voiceMissing: Boolean = false) = Specimen(name, variants) {
-    val state = FirefighterUiState(whereOneIs(), if (running) inItsLanguage("Go straight, twenty feet.", "Geradeaus, sechs Meter.") else "", running, stillness, voiceMissing)
+private fun firefighter(
+    name: String,
+    variants: Set<Variant>,
+    running: Boolean,
+    stillness: Stillness,
+    voiceMissing: Boolean = false,
+) = Specimen(name, variants) {
+    val state = FirefighterUiState(
+        whereOneIs(),
+        if (running) inItsLanguage("Go straight, twenty feet.", "Geradeaus, sechs Meter.") else "",
+        running,
+        stillness,
+        voiceMissing,
+    )
     FirefighterScreen(state, FirefighterActions({}, {}, {}, {}))
 }
 

@@ -31,8 +31,8 @@ import org.robolectric.annotation.Config
 import org.robolectric.shadows.ShadowLooper
 
 /**
- * Every way of asking, and the exact words that are heard then: the table of docs/voice-and-touch.md. Guidance is on and
- * the belt not plugged in, so that the answers do not depend on a place.
+ * Every way of asking, and the exact words that are heard then: the table of docs/voice-and-touch.md. Guidance is on
+ * and the belt not plugged in, so that the answers do not depend on a place.
  */
 @RunWith(AndroidJUnit4::class)
 @Config(application = TestApp::class)
@@ -84,7 +84,8 @@ class AskingTest {
         service.get().onStartCommand(shadowOf(app).nextStartedService, 0, 2)
     }
 
-    private fun action(title: String) = deliver { notification().actions.first { it.title.toString() == title }.actionIntent.send() }
+    private fun action(title: String) =
+        deliver { notification().actions.first { it.title.toString() == title }.actionIntent.send() }
 
     private fun unfolded(id: Int) = deliver {
         @Suppress("DEPRECATION") // for who builds it; who shows it reads it there
@@ -112,7 +113,9 @@ class AskingTest {
             whereAmI = { press(KeyEvent.KEYCODE_HEADSETHOOK) },
             repeat = { press(KeyEvent.KEYCODE_HEADSETHOOK, KeyEvent.KEYCODE_HEADSETHOOK) },
             mute = { press(KeyEvent.KEYCODE_MEDIA_STOP) },
-            wayOut = { press(KeyEvent.KEYCODE_HEADSETHOOK, KeyEvent.KEYCODE_HEADSETHOOK, KeyEvent.KEYCODE_HEADSETHOOK) },
+            wayOut = {
+                press(KeyEvent.KEYCODE_HEADSETHOOK, KeyEvent.KEYCODE_HEADSETHOOK, KeyEvent.KEYCODE_HEADSETHOOK)
+            },
         )
         assertEquals(listOf("Starting again."), heard { repeat(4) { press(KeyEvent.KEYCODE_HEADSETHOOK) } })
     }
@@ -135,7 +138,9 @@ class AskingTest {
         }
         assertEquals(listOf("Belt disconnected."), heard { alone(KEYCODE_VOLUME_UP, KEYCODE_VOLUME_DOWN) })
         assertEquals(listOf("Belt disconnected."), heard { alone(KEYCODE_VOLUME_DOWN, KEYCODE_VOLUME_UP) })
-        assertEquals(listOf("Belt disconnected."), heard { alone(KEYCODE_VOLUME_UP, KEYCODE_VOLUME_DOWN, heldMs = 1_200) })
+        assertEquals(
+            listOf("Belt disconnected."), heard { alone(KEYCODE_VOLUME_UP, KEYCODE_VOLUME_DOWN, heldMs = 1_200) },
+        )
         val twice = heard {
             alone(KEYCODE_VOLUME_UP, KEYCODE_VOLUME_DOWN)
             chord(KEYCODE_VOLUME_UP, KEYCODE_VOLUME_DOWN)
@@ -157,16 +162,21 @@ class AskingTest {
     }
 
     /** What is not taken by the screen goes to guidance's media session, which asks a second time. */
-    private fun volumeKeysOfAFirefighter(test: (press: (IntArray) -> Unit) -> Unit) = ActivityScenario.launch(MainActivity::class.java).use { screen ->
-        container.settings.settings.value = container.settings.settings.value.copy(firefighter = true, notMovedAlertS = 0)
-        settle(1_000)
-        var now = 0L
-        fun key(code: Int, action: Int) = screen.onActivity {
-            assertTrue("taken", it.dispatchKeyEvent(KeyEvent(0, now, action, code, 0)))
-            now += 100
+    private fun volumeKeysOfAFirefighter(test: (press: (IntArray) -> Unit) -> Unit) =
+        ActivityScenario.launch(MainActivity::class.java).use { screen ->
+            container.settings.settings.value = container.settings.settings.value.copy(
+                firefighter = true, notMovedAlertS = 0,
+            )
+            settle(1_000)
+            var now = 0L
+            fun key(code: Int, action: Int) = screen.onActivity {
+                assertTrue("taken", it.dispatchKeyEvent(KeyEvent(0, now, action, code, 0)))
+                now += 100
+            }
+            test { codes ->
+                listOf(KeyEvent.ACTION_DOWN, KeyEvent.ACTION_UP).forEach { action -> codes.forEach { key(it, action) } }
+            }
         }
-        test { codes -> listOf(KeyEvent.ACTION_DOWN, KeyEvent.ACTION_UP).forEach { action -> codes.forEach { key(it, action) } } }
-    }
 
     /** The chosen language is not the phone's, and nothing has been said in it yet. */
     @Test fun whatIsAskedWhileGuidanceIsOffIsAnsweredInTheChosenLanguage() {

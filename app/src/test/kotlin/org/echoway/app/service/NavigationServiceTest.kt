@@ -53,7 +53,8 @@ class NavigationServiceTest {
 
     private fun command(action: String?): ServiceController<NavigationService> {
         val intent = action?.let { NavigationService.intent(app, it) }
-        val controller = services.lastOrNull() ?: Robolectric.buildService(NavigationService::class.java).create().also { services += it }
+        val controller = services.lastOrNull()
+            ?: Robolectric.buildService(NavigationService::class.java).create().also { services += it }
         controller.get().onStartCommand(intent, 0, 1)
         settle()
         return controller
@@ -78,7 +79,9 @@ class NavigationServiceTest {
     private fun echoes(seconds: Double) {
         var sequence = 0
         repeat((seconds * 16).toInt()) {
-            container.belt.send(BeltEvent.Bytes(WireSentence.range(sequence, sequence % 15, 2.0), container.clock.nowS()))
+            container.belt.send(
+                BeltEvent.Bytes(WireSentence.range(sequence, sequence % 15, 2.0), container.clock.nowS()),
+            )
             sequence++
             ShadowLooper.idleMainLooper(62, TimeUnit.MILLISECONDS)
         }
@@ -160,7 +163,11 @@ class NavigationServiceTest {
         assertEquals(NavigationService.actionOf(Ask.WAY_BACK), pressed(R.id.way_back))
         val actions = notification().actions.map { shadowOf(it.actionIntent).savedIntent.action }
         assertEquals(
-            listOf(NavigationService.actionOf(Ask.WHERE_AM_I), NavigationService.actionOf(Ask.WAY_OUT), NavigationService.ACTION_STOP),
+            listOf(
+                NavigationService.actionOf(Ask.WHERE_AM_I),
+                NavigationService.actionOf(Ask.WAY_OUT),
+                NavigationService.ACTION_STOP,
+            ),
             actions,
         )
     }
@@ -222,7 +229,9 @@ class NavigationServiceTest {
     }
 
     @Test fun goesOnAfterTheSystemKilledItAndSaysThatItMustBeAskedTheWayAgain() {
-        container.settings.settings.value = container.settings.settings.value.copy(navigating = true, source = SourceKind.USB)
+        container.settings.settings.value = container.settings.settings.value.copy(
+            navigating = true, source = SourceKind.USB,
+        )
         container.belt = ScriptedBelt(bringsMotion = false)
         command(action = null)
         awaitRunning()
@@ -233,7 +242,9 @@ class NavigationServiceTest {
     /** Guidance as Android brings it back after it had killed the app while it led there. */
     private fun broughtBack(goal: Goal?): NavigationState.Running {
         container.settings.settings.value =
-            container.settings.settings.value.copy(navigating = true, source = SourceKind.USB, goal = goal, avoidStairs = true)
+            container.settings.settings.value.copy(
+                navigating = true, source = SourceKind.USB, goal = goal, avoidStairs = true,
+            )
         command(action = null)
         return awaitRunning()
     }
@@ -242,7 +253,11 @@ class NavigationServiceTest {
         val places = runBlocking { container.buildings.find("torgersen-lab")!! }.plan.places
         val lectern = Destination(DestinationKind.PLACE, places.indexOfFirst { it.name == "Lectern" })
         val goal = Goal("torgersen-lab", lectern)
-        assertEquals("from the first moment on", Wish.LeadTo(lectern, RoutePreferences(avoidStairs = true)), broughtBack(goal).leading)
+        assertEquals(
+            "from the first moment on",
+            Wish.LeadTo(lectern, RoutePreferences(avoidStairs = true)),
+            broughtBack(goal).leading,
+        )
         settle(5_000)
         assertEquals("Guidance was interrupted. Destination stays: Lectern.", container.voice.words.first())
         assertEquals("and again, should it be killed again", goal, container.settings.settings.value.goal)
@@ -277,7 +292,9 @@ class NavigationServiceTest {
     @Test fun whoeverWalkedOnBeforeTheSystemKilledItIsNotTakenToBeAtTheEntrance() {
         fun sureOfTheRoomAtTheFirstEcho(action: String?): Double {
             container.settings.settings.value =
-                container.settings.settings.value.copy(source = SourceKind.USB, entrance = "Main entrance", navigating = true)
+                container.settings.settings.value.copy(
+                    source = SourceKind.USB, entrance = "Main entrance", navigating = true,
+                )
             container.belt = ScriptedBelt()
             command(action)
             awaitRunning()
@@ -292,7 +309,9 @@ class NavigationServiceTest {
         assertTrue(sureOfTheRoomAtTheFirstEcho(action = null) < 0.9)
     }
 
-    /** What a wearer hears first who begins by hand, [agoS] after the belt was last heard in an earlier life of the app. */
+    /**
+     * What a wearer hears first who begins by hand, [agoS] after the belt was last heard in an earlier life of the app.
+     */
     private fun heardFirstByHand(agoS: Double?): String {
         container.settings.settings.value = container.settings.settings.value.copy(
             source = SourceKind.USB, entrance = "Main entrance", navigating = true,
@@ -340,7 +359,9 @@ class NavigationServiceTest {
         container.belt = ScriptedBelt()
         command(NavigationService.ACTION_START)
         settle(12_000)
-        assertFalse("begun again while guidance is on it begins anew", container.voice.words.any { "interrupted" in it })
+        assertFalse(
+            "begun again while guidance is on it begins anew", container.voice.words.any { "interrupted" in it },
+        )
     }
 
     @Test fun withoutABuildingItSaysWhatIsMissing() {
@@ -371,7 +392,9 @@ class NavigationServiceTest {
     class NoConnectedDevice : ShadowService() {
         @Implementation
         override fun startForeground(id: Int, notification: Notification, foregroundServiceType: Int) {
-            if (foregroundServiceType == ServiceInfo.FOREGROUND_SERVICE_TYPE_CONNECTED_DEVICE) throw SecurityException("no connected device")
+            if (foregroundServiceType == ServiceInfo.FOREGROUND_SERVICE_TYPE_CONNECTED_DEVICE) {
+                throw SecurityException("no connected device")
+            }
             super.startForeground(id, notification, foregroundServiceType)
         }
     }
@@ -398,7 +421,9 @@ class NavigationServiceTest {
         awaitRunning()
         settle()
         assertEquals("En attente de la ceinture.", text())
-        assertEquals(listOf("Où suis-je ?", "Vers la sortie", "Arrêter"), notification().actions.map { it.title.toString() })
+        assertEquals(
+            listOf("Où suis-je ?", "Vers la sortie", "Arrêter"), notification().actions.map { it.title.toString() },
+        )
     }
 
     @Test fun theEndOfGuidanceIsHeard() {

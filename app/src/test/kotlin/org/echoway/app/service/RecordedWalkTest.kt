@@ -38,7 +38,9 @@ class RecordedWalkTest {
         container.belt.send(BeltEvent.Attached)
         repeat(FIRINGS) { sequence ->
             val range = if (sequence % 4 == 3) null else 1.0 + sequence / 100.0
-            container.belt.send(BeltEvent.Bytes(WireSentence.range(sequence, sequence % 15, range), container.clock.nowS()))
+            container.belt.send(
+                BeltEvent.Bytes(WireSentence.range(sequence, sequence % 15, range), container.clock.nowS()),
+            )
             ShadowLooper.idleMainLooper(62, TimeUnit.MILLISECONDS)
         }
         service.get().onStartCommand(NavigationService.intent(app, NavigationService.ACTION_STOP), 0, 2)
@@ -49,7 +51,10 @@ class RecordedWalkTest {
         val log = WalkLog.read(scans.bufferedReader())
         assertEquals(List(FIRINGS) { it % 15 }, log.firings.map { it.sensor })
         // In whole millimetres, as the belt says them.
-        assertEquals(List(FIRINGS) { if (it % 4 == 3) null else 1000 + 10 * it }, log.firings.map { it.rangeM?.let { m -> Math.round(m * 1000).toInt() } })
+        assertEquals(
+            List(FIRINGS) { if (it % 4 == 3) null else 1000 + 10 * it },
+            log.firings.map { it.rangeM?.let { m -> Math.round(m * 1000).toInt() } },
+        )
         assertTrue(log.firings.zipWithNext().all { (a, b) -> b.timeS - a.timeS in 0.05..0.08 })
         assertEquals("torgersen-lab", scans.readLines().first().removePrefix("# building "))
     }
@@ -61,10 +66,14 @@ class RecordedWalkTest {
         repeat(500) { if (container.recordings.status.value !is RecordingStatus.On) settle(20) }
         // Every write to this device fails for want of room.
         val name = (container.recordings.status.value as RecordingStatus.On).name
-        Files.createSymbolicLink(File(container.recordings.folder, "$name.scans.csv").toPath(), File("/dev/full").toPath())
+        Files.createSymbolicLink(
+            File(container.recordings.folder, "$name.scans.csv").toPath(), File("/dev/full").toPath(),
+        )
         container.belt.send(BeltEvent.Attached)
         repeat(FIRINGS) { sequence ->
-            container.belt.send(BeltEvent.Bytes(WireSentence.range(sequence, sequence % 15, 2.0), container.clock.nowS()))
+            container.belt.send(
+                BeltEvent.Bytes(WireSentence.range(sequence, sequence % 15, 2.0), container.clock.nowS()),
+            )
             ShadowLooper.idleMainLooper(62, TimeUnit.MILLISECONDS)
         }
         settle(5_000)

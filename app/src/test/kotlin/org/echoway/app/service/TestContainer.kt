@@ -36,7 +36,8 @@ class TestApp : Application(), ContainerOwner {
 
 class TestContainer(context: Context) : AppContainer {
     override val clock = Clock.SYSTEM
-    override val settings = MemorySettings(Settings(building = "torgersen-lab", source = SourceKind.SIMULATED_WALK, introduced = true))
+    override val settings =
+        MemorySettings(Settings(building = "torgersen-lab", source = SourceKind.SIMULATED_WALK, introduced = true))
     override val buildings = BuildingLibrary.on(context, BundledBuildings(context, 1))
     override val navigator = Navigator(Dispatchers.Main, clock)
     override val voice = RecordingVoice(clock)

@@ -39,17 +39,25 @@ class DataStoreSettingsTest {
     }
 
     private val unusual = Settings(
-        building = "torgersen-lab", entrance = "Main entrance", source = SourceKind.RECORDING, recording = "a.scans.csv", navigating = true,
+        building = "torgersen-lab", entrance = "Main entrance", source = SourceKind.RECORDING,
+        recording = "a.scans.csv", navigating = true,
         walkedS = 1234.5, goal = Goal("my own house", Destination(DestinationKind.PLACE, 3)),
-        service = ServiceModel.ON_REQUEST, verbosity = Verbosity.FULL, directions = DirectionStyle.CLOCK, lengths = LengthStyle.METRES,
-        avoidStairs = true, firefighter = true, notMovedAlertS = 60, language = Language.FRENCH, theme = ThemeChoice.SMOKE,
+        service = ServiceModel.ON_REQUEST, verbosity = Verbosity.FULL,
+        directions = DirectionStyle.CLOCK, lengths = LengthStyle.METRES, avoidStairs = true,
+        firefighter = true, notMovedAlertS = 60, language = Language.FRENCH, theme = ThemeChoice.SMOKE,
         vibration = false, motion = false, volumeKeys = false, record = true, introduced = true,
     )
 
     @Test fun everythingOutlivesTheProcess() {
         val usual = Settings()
-        val properties = Settings::class.java.declaredFields.filter { !java.lang.reflect.Modifier.isStatic(it.modifiers) }.onEach { it.isAccessible = true }
-        assertEquals("all differ from what is usual", emptyList<String>(), properties.filter { it[usual] == it[unusual] }.map { it.name })
+        val properties = Settings::class.java.declaredFields
+            .filter { !java.lang.reflect.Modifier.isStatic(it.modifiers) }
+            .onEach { it.isAccessible = true }
+        assertEquals(
+            "all differ from what is usual",
+            emptyList<String>(),
+            properties.filter { it[usual] == it[unusual] }.map { it.name },
+        )
         alive { settings, _ -> settings.update { unusual } }
         assertEquals(unusual, alive { settings, _ -> settings.settings.first() })
         alive { settings, _ -> settings.update { usual } }

@@ -49,11 +49,15 @@ class PhoneBuzzerTest {
             shadow.pattern.toList()
         }
         assertEquals("$felt", Touch.entries.size, felt.values.distinct().size)
-        assertEquals("growing stronger is growing longer", listOf(0L, 45L, 120L, 63L, 120L, 90L), felt.getValue(Touch.ARRIVED))
+        assertEquals(
+            "growing stronger is growing longer", listOf(0L, 45L, 120L, 63L, 120L, 90L), felt.getValue(Touch.ARRIVED),
+        )
     }
 
     @Test fun primitivesAreUsedWhereAllOfAWordAreSupported() {
-        shadow.setSupportedPrimitives(listOf(Composition.PRIMITIVE_CLICK, Composition.PRIMITIVE_THUD, Composition.PRIMITIVE_TICK))
+        shadow.setSupportedPrimitives(
+            listOf(Composition.PRIMITIVE_CLICK, Composition.PRIMITIVE_THUD, Composition.PRIMITIVE_TICK),
+        )
         fun primitives(touch: Touch): List<Int> {
             PhoneBuzzer(vibrator).play(touch)
             return shadow.primitiveSegmentsInPrimitiveEffects.map { primitiveOf(it) }
@@ -87,7 +91,9 @@ class PhoneBuzzerTest {
     @Test fun wordsCanBeToldApart() {
         assertEquals(Touch.entries.size, Touch.entries.map { it.pulses }.distinct().size)
         assertTrue("two pulses are felt as two", GAP_MS >= 50)
-        Strength.entries.map { it.amplitude }.zipWithNext().forEach { (soft, strong) -> assertTrue("$soft, $strong", strong >= 1.4 * soft) }
+        Strength.entries.map { it.amplitude }.zipWithNext().forEach { (soft, strong) ->
+            assertTrue("$soft, $strong", strong >= 1.4 * soft)
+        }
         assertEquals(Strength.entries, Touch.ARRIVED.pulses.map { it.strength })
     }
 

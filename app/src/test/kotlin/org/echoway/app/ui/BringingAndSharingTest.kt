@@ -45,7 +45,8 @@ class BringingAndSharingTest {
 
     @Before fun forget() = forgetSharedFolders()
 
-    private fun await(words: String) = rule.waitUntil(WAIT_MS) { rule.onAllNodes(hasText(words, substring = true)).fetchSemanticsNodes().isNotEmpty() }
+    private fun await(words: String) =
+        rule.waitUntil(WAIT_MS) { rule.onAllNodes(hasText(words, substring = true)).fetchSemanticsNodes().isNotEmpty() }
 
     private fun tap(vararg titles: String) = titles.forEach { title ->
         await(title)
@@ -124,7 +125,9 @@ class BringingAndSharingTest {
 
     @Test fun aRecordingIsReplayedInTheBuildingWhereItWasMade() {
         record()
-        shadowOf(app).grantPermissions("android.permission.POST_NOTIFICATIONS", "android.permission.ACTIVITY_RECOGNITION")
+        shadowOf(app).grantPermissions(
+            "android.permission.POST_NOTIFICATIONS", "android.permission.ACTIVITY_RECOGNITION",
+        )
         tap("Menu", "Recordings", "Replay")
         rule.waitUntil(WAIT_MS) { settings.value.source == SourceKind.RECORDING }
         assertEquals("2026-11-25_20-15-03.scans.csv", settings.value.recording)

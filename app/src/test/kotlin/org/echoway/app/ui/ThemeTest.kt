@@ -47,7 +47,11 @@ class ThemeTest {
         for (choice in ThemeChoice.entries) {
             for (dark in listOf(false, true)) {
                 val scheme = colours(choice, dark)
-                assertEquals("$choice dark=$dark", emptyMap<String, Double>(), tooFaint(read(scheme), 7.0) + tooFaint(drawn(scheme), 4.5))
+                assertEquals(
+                    "$choice dark=$dark",
+                    emptyMap<String, Double>(),
+                    tooFaint(read(scheme), 7.0) + tooFaint(drawn(scheme), 4.5),
+                )
             }
         }
     }

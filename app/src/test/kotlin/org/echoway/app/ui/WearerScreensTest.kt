@@ -87,7 +87,8 @@ class WearerScreensTest {
         throw AssertionError("never came: $what")
     }
 
-    private fun awaitText(text: String) = await(text) { rule.onAllNodes(hasText(text)).fetchSemanticsNodes().isNotEmpty() || scrollTo(text) }
+    private fun awaitText(text: String) =
+        await(text) { rule.onAllNodes(hasText(text)).fetchSemanticsNodes().isNotEmpty() || scrollTo(text) }
 
     private fun press(vararg texts: String) = texts.forEach { text ->
         awaitText(text)
@@ -96,14 +97,17 @@ class WearerScreensTest {
         settle()
     }
 
-    private fun scrollTo(text: String) = runCatching { rule.onNode(hasScrollAction()).performScrollToNode(hasText(text)) }.isSuccess
+    private fun scrollTo(text: String) =
+        runCatching { rule.onNode(hasScrollAction()).performScrollToNode(hasText(text)) }.isSuccess
 
     private fun assertOn(title: String) = rule.onNode(hasText(title) and isHeading()).assertIsDisplayed()
 
     /** Guidance on, with a belt that says nothing. */
     private fun guide() {
         val laboratory = runBlocking { container.buildings.find("torgersen-lab")!! }
-        scope.launch { container.guide.run(container.navigator.state, container.navigator.events, container.settings.settings) }
+        scope.launch {
+            container.guide.run(container.navigator.state, container.navigator.events, container.settings.settings)
+        }
         scope.launch { container.lookout.run(container.navigator.state, container.settings.settings) }
         scope.launch { container.navigator.run(laboratory, Start(), container.belt, container.motion) }
         settle()
@@ -196,7 +200,9 @@ class WearerScreensTest {
         rule.onNodeWithText("Stop leading me").assertIsNotEnabled()
         press("Lectern, in Room 4, Seminar room")
         val plan = (container.navigator.state.value as NavigationState.Running).building.plan
-        assertEquals(Wish.LeadTo(Destination(DestinationKind.PLACE, plan.places.indexOfFirst { it.name == "Lectern" })), leading)
+        assertEquals(
+            Wish.LeadTo(Destination(DestinationKind.PLACE, plan.places.indexOfFirst { it.name == "Lectern" })), leading,
+        )
         press("Room 5, Media room")
         assertEquals(DestinationKind.ROOM, (leading as Wish.LeadTo).destination.kind)
         rule.onNode(hasScrollAction()).performScrollToNode(hasText("Way out"))

@@ -45,7 +45,9 @@ class TtsVoiceTest {
     private fun engine() = shadowOf(ShadowTextToSpeech.getLastTextToSpeechInstance())
 
     private fun saying(voice: Voice, text: String, sign: Touch? = null): Deferred<Outcome> =
-        CoroutineScope(Dispatchers.Main.immediate).async(start = CoroutineStart.UNDISPATCHED) { voice.speak(text, sign) }
+        CoroutineScope(Dispatchers.Main.immediate).async(start = CoroutineStart.UNDISPATCHED) {
+            voice.speak(text, sign)
+        }
 
     private fun done(line: Deferred<Outcome>): Outcome {
         ShadowLooper.idleMainLooper()
@@ -141,7 +143,9 @@ class TtsVoiceTest {
     }
 
     @Test fun theAccentIsThePhones() {
-        voice(Locale.forLanguageTag("de-AT"), listOf(Locale.forLanguageTag("de-AT"), Locale.GERMAN, Locale.ENGLISH)).speakIn(Language.GERMAN)
+        voice(
+            Locale.forLanguageTag("de-AT"), listOf(Locale.forLanguageTag("de-AT"), Locale.GERMAN, Locale.ENGLISH),
+        ).speakIn(Language.GERMAN)
         assertEquals("AT", engine().currentLanguage.country)
     }
 

@@ -28,7 +28,13 @@ import org.echoway.core.Element
 import org.echoway.core.ExplainedEcho
 
 /** Colours of the belt's picture. No meaning hangs on them alone: each kind of reflector has its own shape. */
-internal data class BeltColours(val wearer: Color, val beam: Color, val rings: Color, val explained: Color, val unexplained: Color) {
+internal data class BeltColours(
+    val wearer: Color,
+    val beam: Color,
+    val rings: Color,
+    val explained: Color,
+    val unexplained: Color,
+) {
     companion object {
         fun of(scheme: ColorScheme) =
             BeltColours(scheme.primary, scheme.outline, scheme.outlineVariant, scheme.onSurface, scheme.error)
@@ -41,13 +47,26 @@ internal fun DrawScope.drawBelt(scan: List<ExplainedEcho>, colours: BeltColours)
     val outer = min(size.width, size.height) / 2 - 14.dp.toPx()
     val inner = BODY.toPx()
     val dashes = PathEffect.dashPathEffect(floatArrayOf(4.dp.toPx(), 8.dp.toPx()))
-    for (ring in 1..RINGS) drawCircle(colours.rings, inner + (outer - inner) * ring / RINGS, style = Stroke(1.dp.toPx(), pathEffect = dashes))
+    for (ring in 1..RINGS) {
+        drawCircle(
+            colours.rings, inner + (outer - inner) * ring / RINGS, style = Stroke(1.dp.toPx(), pathEffect = dashes),
+        )
+    }
     scan.forEachIndexed { index, echo ->
         val range = echo.rangeM
         val far = if (range == null) outer else inner + (outer - inner) * (range / reach).coerceAtMost(1.0).toFloat()
         val end = around(index, scan.size, far)
-        drawLine(colours.beam, around(index, scan.size, inner), end, 2.dp.toPx(), StrokeCap.Round, if (range == null) dashes else null)
-        if (range != null) drawMark(echo.element, end, if (echo.element == Element.NONE) colours.unexplained else colours.explained)
+        drawLine(
+            colours.beam,
+            around(index, scan.size, inner),
+            end,
+            2.dp.toPx(),
+            StrokeCap.Round,
+            if (range == null) dashes else null,
+        )
+        if (range != null) {
+            drawMark(echo.element, end, if (echo.element == Element.NONE) colours.unexplained else colours.explained)
+        }
     }
     drawCircle(colours.wearer, inner * 0.8f)
     drawLine(colours.wearer, center, Offset(center.x, center.y - inner * 1.4f), 6.dp.toPx(), StrokeCap.Round)
@@ -64,10 +83,16 @@ private fun DrawScope.drawMark(element: Element, at: Offset, colour: Color) {
     when (element) {
         Element.WALL -> drawCircle(colour, r, at)
         Element.CORNER -> drawRect(colour, Offset(at.x - r, at.y - r), Size(2 * r, 2 * r))
-        Element.EDGE -> drawShape(colour, listOf(Offset(at.x, at.y - r), Offset(at.x + r, at.y + r), Offset(at.x - r, at.y + r)))
+        Element.EDGE ->
+            drawShape(colour, listOf(Offset(at.x, at.y - r), Offset(at.x + r, at.y + r), Offset(at.x - r, at.y + r)))
         Element.REFLECTOR ->
             (1.3f * r).let { d ->
-                drawShape(colour, listOf(Offset(at.x, at.y - d), Offset(at.x + d, at.y), Offset(at.x, at.y + d), Offset(at.x - d, at.y)))
+                drawShape(
+                    colour,
+                    listOf(
+                        Offset(at.x, at.y - d), Offset(at.x + d, at.y), Offset(at.x, at.y + d), Offset(at.x - d, at.y),
+                    ),
+                )
             }
         Element.NONE -> {
             drawLine(colour, Offset(at.x - r, at.y - r), Offset(at.x + r, at.y + r), 3.dp.toPx(), StrokeCap.Round)
@@ -89,7 +114,9 @@ private fun DrawScope.drawShape(colour: Color, corners: List<Offset>) = drawPath
 internal fun Legend(colours: BeltColours) {
     Element.entries.forEach { element ->
         Row(horizontalArrangement = Arrangement.spacedBy(12.dp), verticalAlignment = Alignment.CenterVertically) {
-            Canvas(Modifier.size(24.dp)) { drawMark(element, center, if (element == Element.NONE) colours.unexplained else colours.explained) }
+            Canvas(Modifier.size(24.dp)) {
+                drawMark(element, center, if (element == Element.NONE) colours.unexplained else colours.explained)
+            }
             Text(stringResource(element.words), style = MaterialTheme.typography.bodyLarge)
         }
     }

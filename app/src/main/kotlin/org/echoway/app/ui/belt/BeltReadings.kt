@@ -26,7 +26,8 @@ class BeltReadings(private val resources: Resources, private val lengths: Length
     }
 
     private fun reading(echo: ExplainedEcho): String {
-        val range = echo.rangeM ?: return resources.getString(if (echo.timeS < 0) R.string.belt_not_fired else R.string.belt_no_echo)
+        val range = echo.rangeM
+            ?: return resources.getString(if (echo.timeS < 0) R.string.belt_not_fired else R.string.belt_no_echo)
         val length = resources.length(range, lengths)
         return resources.getString(R.string.belt_range, length, resources.getString(echo.element.words))
     }

@@ -30,7 +30,8 @@ fun NavGraphBuilder.buildings(container: AppContainer, open: (Route) -> Unit, ba
         }
         val folder = rememberLauncherForActivityResult(OpenDocumentTree()) { uri ->
             uri?.let { picked ->
-                val root = DocumentsContract.buildDocumentUriUsingTree(picked, DocumentsContract.getTreeDocumentId(picked))
+                val root =
+                    DocumentsContract.buildDocumentUriUsingTree(picked, DocumentsContract.getTreeDocumentId(picked))
                 model.importFolder(context.nameOf(root), PickedFolder(context.contentResolver, picked, ImportLimits()))
             }
         }

@@ -56,7 +56,9 @@ private fun Building(item: BuildingItem, actions: BuildingsActions) {
         val rooms = pluralStringResource(R.plurals.rooms, item.rooms, item.rooms)
         val exits = pluralStringResource(R.plurals.exits, item.exits, item.exits)
         Text(stringResource(R.string.building_size, rooms, exits), style = MaterialTheme.typography.bodyLarge)
-        if (item.chosen && item.exits > 0) Action(stringResource(R.string.choose_entrance), onClick = actions.onEntrance)
+        if (item.chosen && item.exits > 0) {
+            Action(stringResource(R.string.choose_entrance), onClick = actions.onEntrance)
+        }
         FlowRow(horizontalArrangement = Arrangement.spacedBy(12.dp)) {
             NamedAction(stringResource(R.string.check_building), item.title) { actions.onCheck(item) }
             if (item.imported) NamedAction(stringResource(R.string.delete), item.title) { actions.onAskDelete(item) }
@@ -85,7 +87,9 @@ private fun Notice(notice: BuildingNotice) {
             is BuildingNotice.Refused -> {
                 Subheading(stringResource(R.string.import_refused))
                 Text(stringResource(notice.problem.words), color = MaterialTheme.colorScheme.error)
-                if (notice.problem in NAMES_A_FILE && notice.detail.isNotEmpty()) Text(stringResource(R.string.problem_file, notice.detail))
+                if (notice.problem in NAMES_A_FILE && notice.detail.isNotEmpty()) {
+                    Text(stringResource(R.string.problem_file, notice.detail))
+                }
             }
             is BuildingNotice.Deleted -> Text(stringResource(R.string.deleted, notice.title))
         }

@@ -33,7 +33,9 @@ class BuildingsViewModel(private val library: BuildingLibrary, private val setti
     fun importFolder(name: String, files: BuildingFiles) = import { library.importFolder(name, files) }
 
     fun choose(item: BuildingItem) {
-        viewModelScope.launch { settings.update { if (it.building == item.id) it else it.copy(building = item.id, entrance = null) } }
+        viewModelScope.launch {
+            settings.update { if (it.building == item.id) it else it.copy(building = item.id, entrance = null) }
+        }
     }
 
     fun check(item: BuildingItem) {
@@ -75,6 +77,7 @@ class BuildingsViewModel(private val library: BuildingLibrary, private val setti
         BuildingsUiState(all.map { item(it, settings) }, notice, asking)
 
     private fun item(building: InstalledBuilding, settings: Settings) = BuildingItem(
-        building.id, building.title, building.plan.rooms.size, building.plan.exits.size, building.imported, building.id == settings.building,
+        building.id, building.title, building.plan.rooms.size, building.plan.exits.size, building.imported,
+        building.id == settings.building,
     )
 }

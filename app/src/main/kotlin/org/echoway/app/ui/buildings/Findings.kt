@@ -28,15 +28,22 @@ fun Findings(findings: List<Finding>) {
 /** One stop for a screen reader, which reads the English part as English. */
 @Composable
 private fun Item(finding: Finding) {
-    val severity = stringResource(if (finding.severity == Severity.UNUSABLE) R.string.finding_unusable else R.string.finding_warning)
+    val severity = stringResource(
+        if (finding.severity == Severity.UNUSABLE) R.string.finding_unusable else R.string.finding_warning,
+    )
     val place = finding.line?.let { stringResource(R.string.finding_line, finding.file, it) } ?: finding.file
     val detail = stringResource(R.string.finding_detail, finding.problem)
     Column(Modifier.semantics(mergeDescendants = true) {}) {
-        Text(stringResource(R.string.finding, severity, stringResource(finding.kind.words), place), style = MaterialTheme.typography.bodyLarge)
+        Text(
+            stringResource(R.string.finding, severity, stringResource(finding.kind.words), place),
+            style = MaterialTheme.typography.bodyLarge,
+        )
         Text(
             buildAnnotatedString {
                 append(detail)
-                addStyle(SpanStyle(localeList = LocaleList("en")), detail.length - finding.problem.length, detail.length)
+                addStyle(
+                    SpanStyle(localeList = LocaleList("en")), detail.length - finding.problem.length, detail.length,
+                )
             },
             style = MaterialTheme.typography.bodyMedium,
         )

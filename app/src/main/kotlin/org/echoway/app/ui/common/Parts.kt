@@ -73,7 +73,12 @@ fun Frame(title: String, onBack: () -> Unit, content: @Composable ColumnScope.()
 
 @Composable
 fun Heading(text: String, modifier: Modifier = Modifier) {
-    Text(text, modifier.semantics { heading() }, style = MaterialTheme.typography.headlineSmall, textAlign = TextAlign.Center)
+    Text(
+        text,
+        modifier.semantics { heading() },
+        style = MaterialTheme.typography.headlineSmall,
+        textAlign = TextAlign.Center,
+    )
 }
 
 @Composable
@@ -136,7 +141,11 @@ fun Choice(title: String, chosen: Boolean, enabled: Boolean = true, onChoose: ()
         // The whole row is the target; a second one inside it would be read twice.
         RadioButton(chosen, onClick = null, Modifier.padding(horizontal = 12.dp), enabled)
         val colours = MaterialTheme.colorScheme
-        Text(title, style = MaterialTheme.typography.bodyLarge, color = if (enabled) colours.onSurface else colours.onSurfaceVariant)
+        Text(
+            title,
+            style = MaterialTheme.typography.bodyLarge,
+            color = if (enabled) colours.onSurface else colours.onSurfaceVariant,
+        )
     }
 }
 

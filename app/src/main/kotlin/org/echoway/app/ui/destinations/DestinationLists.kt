@@ -14,7 +14,8 @@ class DestinationLists(private val resources: Resources) {
 
     /** A list for each of [kinds] that there is any of. */
     fun groups(plan: Plan, kinds: List<DestinationKind>, chosen: Destination? = null): List<DestinationGroup> =
-        kinds.map { group(plan, it, resources.getString(TITLES.getValue(it)), chosen) }.filter { it.options.isNotEmpty() }
+        kinds.map { group(plan, it, resources.getString(TITLES.getValue(it)), chosen) }
+            .filter { it.options.isNotEmpty() }
 
     private fun group(plan: Plan, kind: DestinationKind, title: String, chosen: Destination?): DestinationGroup {
         val levels = plan.rooms.map { it.level }.distinct().size > 1
@@ -28,13 +29,15 @@ class DestinationLists(private val resources: Resources) {
         val name = wording.name(plan, destination)
         val room = plan.rooms[plan.roomOf(destination)]
         return when {
-            destination.kind != DestinationKind.ROOM -> resources.getString(R.string.place_in_room, name, wording.name(room))
+            destination.kind != DestinationKind.ROOM ->
+                resources.getString(R.string.place_in_room, name, wording.name(room))
             levels -> resources.getString(R.string.room_on_level, name, room.level)
             else -> name
         }
     }
 
-    private fun Plan.isNamed(destination: Destination) = destination.kind != DestinationKind.PLACE || places[destination.index].name.isNotEmpty()
+    private fun Plan.isNamed(destination: Destination) =
+        destination.kind != DestinationKind.PLACE || places[destination.index].name.isNotEmpty()
 
     private fun Plan.roomOf(destination: Destination) = when (destination.kind) {
         DestinationKind.PLACE -> places[destination.index].spot.room
@@ -43,7 +46,11 @@ class DestinationLists(private val resources: Resources) {
     }
 
     private companion object {
-        val TITLES = mapOf(DestinationKind.PLACE to R.string.places, DestinationKind.EXIT to R.string.exits, DestinationKind.ROOM to R.string.rooms)
+        val TITLES = mapOf(
+            DestinationKind.PLACE to R.string.places,
+            DestinationKind.EXIT to R.string.exits,
+            DestinationKind.ROOM to R.string.rooms,
+        )
         const val WIDTH = 8
 
         /** Room 10 after room 9. */

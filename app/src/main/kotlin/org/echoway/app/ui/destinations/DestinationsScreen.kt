@@ -21,12 +21,16 @@ import org.echoway.core.Destination
 /** What the wearer can do on the screen of destinations. */
 data class DestinationsActions(val onLeadTo: (Destination) -> Unit, val onAsk: (Ask) -> Unit, val onBack: () -> Unit)
 
-/** Way out first, for whoever is in a hurry; then places, exits and rooms under headings that a screen reader jumps between. */
+/**
+ * Way out first, for whoever is in a hurry; then places, exits and rooms under headings that a screen
+ * reader jumps between.
+ */
 @Composable
 fun DestinationsScreen(state: DestinationsUiState, actions: DestinationsActions) {
     Screen(stringResource(R.string.where_to), actions.onBack) {
         when (state) {
-            DestinationsUiState.Off -> Text(stringResource(R.string.leading_off), style = MaterialTheme.typography.titleMedium)
+            DestinationsUiState.Off ->
+                Text(stringResource(R.string.leading_off), style = MaterialTheme.typography.titleMedium)
             is DestinationsUiState.Ready -> Ready(state, actions)
         }
     }

@@ -18,5 +18,10 @@ sealed interface DestinationsUiState {
      * @property led whether they are
      * @property answered whether guidance says so itself, at once; a screen reader must not talk into that
      */
-    data class Ready(val leading: String, val led: Boolean, val answered: Boolean, val groups: List<DestinationGroup>) : DestinationsUiState
+    data class Ready(
+        val leading: String,
+        val led: Boolean,
+        val answered: Boolean,
+        val groups: List<DestinationGroup>,
+    ) : DestinationsUiState
 }

@@ -24,7 +24,11 @@ fun NavGraphBuilder.diagnostics(container: AppContainer, back: () -> Unit) {
     composable<Route.Diagnostics> {
         val context = LocalContext.current
         val report = DiagnosticsReport(LocalResources.current)
-        val health = remember { container.navigator.state.map { (it as? NavigationState.Running)?.belt ?: BeltHealth.NONE }.distinctUntilChanged().conflate() }
+        val health = remember {
+            container.navigator.state.map { (it as? NavigationState.Running)?.belt ?: BeltHealth.NONE }
+                .distinctUntilChanged()
+                .conflate()
+        }
         val belt by health.collectAsStateWithLifecycle(BeltHealth.NONE)
         DiagnosticsScreen(belt, onCopy = { context.copy(report.text(it, context.about())) }, onBack = back)
     }

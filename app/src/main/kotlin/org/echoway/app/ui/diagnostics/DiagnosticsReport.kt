@@ -8,7 +8,9 @@ import org.echoway.core.BeltLink
 import org.echoway.core.SensorHealth
 import org.echoway.core.SensorState
 
-/** The belt's health in words. Neither positions nor ranges are among them: together they would tell where somebody is. */
+/**
+ * The belt's health in words. Neither positions nor ranges are among them: together they would tell where somebody is.
+ */
 class DiagnosticsReport(private val resources: Resources) {
     fun belt(belt: BeltHealth): List<String> = listOf(
         resources.getString(belt.link.words),
@@ -17,9 +19,15 @@ class DiagnosticsReport(private val resources: Resources) {
         resources.getString(R.string.health_corrupt, belt.badChecksums, belt.malformed),
         resources.getString(R.string.health_lost, belt.lostFirings),
         resources.getString(R.string.health_restarts, belt.restarts),
-        belt.temperatureC?.let { resources.getString(R.string.health_temperature, it) } ?: resources.getString(R.string.health_no_temperature),
-        belt.batteryV?.let { resources.getString(R.string.health_battery, it) } ?: resources.getString(R.string.health_no_battery),
-        if (belt.firmware.isEmpty()) resources.getString(R.string.health_no_firmware) else resources.getString(R.string.health_firmware, belt.firmware),
+        belt.temperatureC?.let { resources.getString(R.string.health_temperature, it) }
+            ?: resources.getString(R.string.health_no_temperature),
+        belt.batteryV?.let { resources.getString(R.string.health_battery, it) }
+            ?: resources.getString(R.string.health_no_battery),
+        if (belt.firmware.isEmpty()) {
+            resources.getString(R.string.health_no_firmware)
+        } else {
+            resources.getString(R.string.health_firmware, belt.firmware)
+        },
     )
 
     /** "3, left: good. 64 echoes of 64 firings in the last minute." */
@@ -27,8 +35,10 @@ class DiagnosticsReport(private val resources: Resources) {
         val sensor = sensors[index]
         val side = resources.getStringArray(R.array.sides)[Side.of(index, sensors.size).ordinal]
         val state = resources.getString(sensor.state.words)
-        val firings = resources.getQuantityString(R.plurals.health_echoes, sensor.firings, sensor.echoes, sensor.firings)
-        val fault = if (sensor.faultCode != 0) " " + resources.getString(R.string.health_fault_code, sensor.faultCode) else ""
+        val firings =
+            resources.getQuantityString(R.plurals.health_echoes, sensor.firings, sensor.echoes, sensor.firings)
+        val fault =
+            if (sensor.faultCode != 0) " " + resources.getString(R.string.health_fault_code, sensor.faultCode) else ""
         return resources.getString(R.string.health_sensor, index + 1, side, state, firings) + fault
     }
 
@@ -43,8 +53,10 @@ class DiagnosticsReport(private val resources: Resources) {
     }
 
     /** All of it as text for a bug report; [about] names app and phone. */
-    fun text(belt: BeltHealth, about: String): String =
-        (listOf(about, summary(belt)) + belt(belt) + belt.sensors.indices.map { sensor(it, belt.sensors) }).joinToString("\n")
+    fun text(belt: BeltHealth, about: String): String {
+        val sensors = belt.sensors.indices.map { sensor(it, belt.sensors) }
+        return (listOf(about, summary(belt)) + belt(belt) + sensors).joinToString("\n")
+    }
 
     private val BeltLink.words
         get() = when (this) {

@@ -41,17 +41,26 @@ fun DiagnosticsScreen(belt: BeltHealth, onCopy: (BeltHealth) -> Unit, onBack: ()
     Screen(stringResource(R.string.diagnostics), onBack) {
         Text(report.summary(belt), style = MaterialTheme.typography.titleMedium)
         if (belt.sensors.isNotEmpty()) {
-            SensorRing(belt.sensors, report.summary(belt), Modifier.widthIn(max = 360.dp).fillMaxWidth().aspectRatio(1f).align(Alignment.CenterHorizontally))
+            SensorRing(
+                belt.sensors,
+                report.summary(belt),
+                Modifier.widthIn(max = 360.dp).fillMaxWidth().aspectRatio(1f).align(Alignment.CenterHorizontally),
+            )
         }
         Action(stringResource(R.string.copy_report)) { onCopy(belt) }
         Subheading(stringResource(R.string.belt))
         report.belt(belt).forEach { Text(it, style = MaterialTheme.typography.bodyLarge) }
         if (belt.sensors.isNotEmpty()) Subheading(stringResource(R.string.sensors))
-        belt.sensors.indices.forEach { Text(report.sensor(it, belt.sensors), style = MaterialTheme.typography.bodyLarge) }
+        belt.sensors.indices.forEach {
+            Text(report.sensor(it, belt.sensors), style = MaterialTheme.typography.bodyLarge)
+        }
     }
 }
 
-/** The belt from above, front up: a filled disc for a good sensor, a cross for one in trouble, a ring for one not heard of. */
+/**
+ * The belt from above, front up: a filled disc for a good sensor, a cross for one in trouble, a ring for one
+ * not heard of.
+ */
 @Composable
 private fun SensorRing(sensors: List<SensorHealth>, description: String, modifier: Modifier) {
     val scheme = MaterialTheme.colorScheme
@@ -72,7 +81,9 @@ private fun SensorRing(sensors: List<SensorHealth>, description: String, modifie
             }
             val label = measurer.measure("${index + 1}", style)
             val outside = around(index, sensors.size, radius + labels)
-            drawText(label, scheme.onSurface, Offset(outside.x - label.size.width / 2, outside.y - label.size.height / 2))
+            drawText(
+                label, scheme.onSurface, Offset(outside.x - label.size.width / 2, outside.y - label.size.height / 2),
+            )
         }
     }
 }

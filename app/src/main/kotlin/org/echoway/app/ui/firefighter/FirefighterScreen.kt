@@ -57,7 +57,12 @@ data class FirefighterUiState(
     val voiceMissing: Boolean = false,
 )
 
-data class FirefighterActions(val onAsk: (Ask) -> Unit, val onStart: () -> Unit, val onCancelAlarm: () -> Unit, val onLeave: () -> Unit)
+data class FirefighterActions(
+    val onAsk: (Ask) -> Unit,
+    val onStart: () -> Unit,
+    val onCancelAlarm: () -> Unit,
+    val onLeave: () -> Unit,
+)
 
 /** One dark screen; three things to press, each as large as a gloved hand. While the wearer does not move, one. */
 @Composable
@@ -129,7 +134,9 @@ private fun ColumnScope.GloveButton(text: String, onClick: () -> Unit) {
         onClick,
         Modifier.weight(1f).fillMaxWidth().heightIn(min = GLOVE),
         shape = RoundedCornerShape(16.dp),
-        colors = ButtonDefaults.buttonColors(containerColor = MaterialTheme.colorScheme.primary, contentColor = Color.Black),
+        colors = ButtonDefaults.buttonColors(
+            containerColor = MaterialTheme.colorScheme.primary, contentColor = Color.Black,
+        ),
     ) {
         // As large as it fits: large letters of a wearer who asks for them must not be cut.
         BasicText(

@@ -19,8 +19,12 @@ import org.echoway.app.voice.VoiceStatus
 /** Firefighter mode: on until its screen is left, through restarts of the app too. */
 class FirefighterViewModel(private val container: AppContainer, private val words: StateWords) : ViewModel() {
     val uiState: StateFlow<FirefighterUiState> =
-        combine(container.navigator.state, container.guide.lastLine, container.lookout.stillness, container.voice.status) { state, line, stillness, voice ->
-            FirefighterUiState(words.of(state), line, state is NavigationState.Running, stillness, voice == VoiceStatus.NO_ENGINE)
+        combine(
+            container.navigator.state, container.guide.lastLine, container.lookout.stillness, container.voice.status,
+        ) { state, line, stillness, voice ->
+            FirefighterUiState(
+                words.of(state), line, state is NavigationState.Running, stillness, voice == VoiceStatus.NO_ENGINE,
+            )
         }.stateIn(viewModelScope, WHILE_SHOWN, FirefighterUiState("", "", running = false, Stillness.MOVING))
 
     fun ask(ask: Ask) = container.guide.ask(ask)
@@ -33,6 +37,8 @@ class FirefighterViewModel(private val container: AppContainer, private val word
 
     private fun choose(on: Boolean) {
         // The screen is gone before a phone that is busy has written this down; the mode must not stay on without it.
-        viewModelScope.launch { withContext(NonCancellable) { container.settings.update { it.copy(firefighter = on) } } }
+        viewModelScope.launch {
+            withContext(NonCancellable) { container.settings.update { it.copy(firefighter = on) } }
+        }
     }
 }

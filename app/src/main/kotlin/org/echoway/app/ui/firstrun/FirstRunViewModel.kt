@@ -46,12 +46,16 @@ class FirstRunViewModel(
 
     fun skip(then: () -> Unit) = finish(then)
 
-    /** Chooses the walk that comes with the app, then [start]s guidance: only now does the phone ask for permissions. */
+    /**
+     * Chooses the walk that comes with the app, then [start]s guidance: only now does the phone ask for permissions.
+     */
     fun practise(start: () -> Unit) {
         viewModelScope.launch {
             val building = container.buildings.all().firstOrNull { container.hasSimulatedWalk(it.id) }
             if (building != null) {
-                container.settings.update { it.copy(building = building.id, entrance = null, source = SourceKind.SIMULATED_WALK) }
+                container.settings.update {
+                    it.copy(building = building.id, entrance = null, source = SourceKind.SIMULATED_WALK)
+                }
             }
             finish(start)
         }

@@ -104,7 +104,11 @@ private fun ColumnScope.Off(state: LiveUiState.Off, actions: LiveActions) {
         if (state.voiceMissing) {
             VoiceMissing()
             // On the way there is no time for it.
-            Text(stringResource(R.string.voice_missing_mend), style = MaterialTheme.typography.bodyMedium, textAlign = TextAlign.Center)
+            Text(
+                stringResource(R.string.voice_missing_mend),
+                style = MaterialTheme.typography.bodyMedium,
+                textAlign = TextAlign.Center,
+            )
         }
         BigButton(stringResource(R.string.start), onClick = actions.onStart)
         Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp)) {
@@ -135,8 +139,8 @@ private fun ColumnScope.On(state: LiveUiState.On, actions: LiveActions) {
 }
 
 /**
- * The map above the rest, or beside it where the screen is wide and low. A screen reader comes to the map last: all its rooms
- * would stand between a wearer and what they can press.
+ * The map above the rest, or beside it where the screen is wide and low. A screen reader comes to the map last: all its
+ * rooms would stand between a wearer and what they can press.
  */
 @Composable
 private fun ColumnScope.BesideOrBelow(map: @Composable (Modifier) -> Unit, rest: @Composable ColumnScope.() -> Unit) {
@@ -160,7 +164,15 @@ private fun ColumnScope.BesideOrBelow(map: @Composable (Modifier) -> Unit, rest:
 
 /** The map of the level where the wearer is, or of another that they look at. */
 @Composable
-private fun Map(title: String, plan: Plan, level: Int, wearer: Estimate?, picture: Picture, lengths: LengthStyle, modifier: Modifier) {
+private fun Map(
+    title: String,
+    plan: Plan,
+    level: Int,
+    wearer: Estimate?,
+    picture: Picture,
+    lengths: LengthStyle,
+    modifier: Modifier,
+) {
     val camera = rememberMapCamera()
     // A new level under the wearer's feet is a new picture; until then they may look at others.
     var shown by rememberSaveable(level) { mutableIntStateOf(level) }

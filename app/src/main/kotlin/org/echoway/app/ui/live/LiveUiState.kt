@@ -14,7 +14,12 @@ sealed interface LiveUiState {
     data object NeedsSetup : LiveUiState
 
     /** Guidance is off; the map of the chosen building can be looked at. */
-    data class Off(val building: String, val plan: Plan, val voiceMissing: Boolean = false, val lengths: LengthStyle = LengthStyle.FEET) : LiveUiState
+    data class Off(
+        val building: String,
+        val plan: Plan,
+        val voiceMissing: Boolean = false,
+        val lengths: LengthStyle = LengthStyle.FEET,
+    ) : LiveUiState
 
     /** Guidance could not begin: [words] say why, [reason] more of it in the core's own words. */
     data class Failed(val words: String, val reason: String) : LiveUiState

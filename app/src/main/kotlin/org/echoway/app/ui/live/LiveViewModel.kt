@@ -32,17 +32,25 @@ class LiveViewModel(private val container: AppContainer, private val words: Stat
 
     val uiState: StateFlow<LiveUiState> =
         combine(chosen, container.navigator.state, container.guide.lastLine, container.voice.status, ::show)
-            .combine(container.navigator.picture) { state, picture -> if (state is LiveUiState.On) state.copy(picture = picture) else state }
+            .combine(container.navigator.picture) { state, picture ->
+                if (state is LiveUiState.On) state.copy(picture = picture) else state
+            }
             .combine(container.settings.settings.map { it.lengths }.distinctUntilChanged(), ::measured)
             .stateIn(viewModelScope, WHILE_SHOWN, LiveUiState.Loading)
 
     fun whereAmI() = container.guide.ask(Ask.WHERE_AM_I)
 
-    private fun show(chosen: Choice, state: NavigationState, lastLine: String, voice: VoiceStatus): LiveUiState = when (state) {
+    private fun show(
+        chosen: Choice,
+        state: NavigationState,
+        lastLine: String,
+        voice: VoiceStatus,
+    ): LiveUiState = when (state) {
         is NavigationState.Running -> on(state, lastLine, voice)
         is NavigationState.Failed -> LiveUiState.Failed(words.of(state), state.reason)
         NavigationState.Idle -> when (chosen) {
-            is Choice.Building -> LiveUiState.Off(chosen.building.title, chosen.building.plan, voice == VoiceStatus.NO_ENGINE)
+            is Choice.Building ->
+                LiveUiState.Off(chosen.building.title, chosen.building.plan, voice == VoiceStatus.NO_ENGINE)
             Choice.Nothing -> LiveUiState.NeedsSetup
         }
     }

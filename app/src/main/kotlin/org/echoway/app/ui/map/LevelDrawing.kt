@@ -40,7 +40,8 @@ class LevelDrawing(val rooms: List<DrawnRoom>, val doors: List<Wall>, val bounds
                 )
             }
             val all = rooms.map { it.bounds }
-            val bounds = Bounds(all.minOf { it.left }, all.minOf { it.bottom }, all.maxOf { it.right }, all.maxOf { it.top })
+            val bounds =
+                Bounds(all.minOf { it.left }, all.minOf { it.bottom }, all.maxOf { it.right }, all.maxOf { it.top })
             val doors = plan.doors.filter { plan.rooms[it.a.room].level == level }.mapNotNull { opening(plan, it) }
             return LevelDrawing(rooms, doors, bounds)
         }
@@ -54,7 +55,9 @@ class LevelDrawing(val rooms: List<DrawnRoom>, val doors: List<Wall>, val bounds
             val dx = along.x / length * door.width / 2
             val dy = along.y / length * door.width / 2
             val at = door.a.at
-            return Wall(room.frame.toLevel(Point(at.x - dx, at.y - dy)), room.frame.toLevel(Point(at.x + dx, at.y + dy)))
+            return Wall(
+                room.frame.toLevel(Point(at.x - dx, at.y - dy)), room.frame.toLevel(Point(at.x + dx, at.y + dy)),
+            )
         }
 
         private fun distance(wall: Wall, p: Point): Double {
@@ -69,7 +72,13 @@ class LevelDrawing(val rooms: List<DrawnRoom>, val doors: List<Wall>, val bounds
  * The wearer as drawn: angles counter-clockwise in degrees in the level's frame; the ellipse holds the position with a
  * probability of 0.86 (two standard deviations of a plane Gaussian).
  */
-class WearerMark(val at: Point, val headingDegrees: Float, val majorM: Float, val minorM: Float, val majorDegrees: Float) {
+class WearerMark(
+    val at: Point,
+    val headingDegrees: Float,
+    val majorM: Float,
+    val minorM: Float,
+    val majorDegrees: Float,
+) {
     companion object {
         private const val SIGMAS = 2.0
 

@@ -74,7 +74,14 @@ fun LevelMap(
 }
 
 @Composable
-private fun MapCanvas(drawing: LevelDrawing, marks: MapMarks, mark: WearerMark?, here: Int?, view: MapView, sentence: String) {
+private fun MapCanvas(
+    drawing: LevelDrawing,
+    marks: MapMarks,
+    mark: WearerMark?,
+    here: Int?,
+    view: MapView,
+    sentence: String,
+) {
     val colours = MapColours.of(MaterialTheme.colorScheme)
     val measurer = rememberTextMeasurer(LABELS_KEPT)
     val style = MaterialTheme.typography.labelMedium
@@ -115,7 +122,11 @@ private fun RoomNodes(drawing: LevelDrawing, view: MapView, canvas: Size, from: 
     ) { measurables, constraints ->
         val boxes = seen.map { it.second }
         val placeables = measurables.mapIndexed { i, each ->
-            each.measure(Constraints.fixed(boxes[i].width.roundToInt().coerceAtLeast(1), boxes[i].height.roundToInt().coerceAtLeast(1)))
+            each.measure(
+                Constraints.fixed(
+                    boxes[i].width.roundToInt().coerceAtLeast(1), boxes[i].height.roundToInt().coerceAtLeast(1),
+                ),
+            )
         }
         layout(constraints.maxWidth, constraints.maxHeight) {
             placeables.forEachIndexed { i, each -> each.place(boxes[i].left.roundToInt(), boxes[i].top.roundToInt()) }
@@ -125,7 +136,12 @@ private fun RoomNodes(drawing: LevelDrawing, view: MapView, canvas: Size, from: 
 
 /** Where a room is on the canvas; null when it is outside. */
 private fun DrawnRoom.seen(view: MapView, canvas: Size): Rect? {
-    val corners = listOf(bounds.left to bounds.bottom, bounds.right to bounds.bottom, bounds.right to bounds.top, bounds.left to bounds.top)
+    val corners = listOf(
+        bounds.left to bounds.bottom,
+        bounds.right to bounds.bottom,
+        bounds.right to bounds.top,
+        bounds.left to bounds.top,
+    )
         .map { (x, y) -> view(Point(x, y)) }
     val box = Rect(corners.minOf { it.x }, corners.minOf { it.y }, corners.maxOf { it.x }, corners.maxOf { it.y })
     return box.intersect(Rect(0f, 0f, canvas.width, canvas.height)).takeIf { it.width > 0 && it.height > 0 }

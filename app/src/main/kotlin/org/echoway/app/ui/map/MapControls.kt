@@ -28,15 +28,30 @@ import org.echoway.app.ui.common.Action
  * @param levels to go through; one needs no button
  */
 @Composable
-fun MapControls(camera: MapCamera, wearerKnown: Boolean, levels: List<Int>, level: Int, onLevel: (Int) -> Unit, modifier: Modifier = Modifier) {
+fun MapControls(
+    camera: MapCamera,
+    wearerKnown: Boolean,
+    levels: List<Int>,
+    level: Int,
+    onLevel: (Int) -> Unit,
+    modifier: Modifier = Modifier,
+) {
     FlowRow(modifier, Arrangement.spacedBy(8.dp, Alignment.CenterHorizontally)) {
         Control(R.string.map_zoom_out, { camera.zoomBy(1 / STEP) }) { drawBar(it) }
         Control(R.string.map_zoom_in, { camera.zoomBy(STEP) }) {
             drawBar(it)
-            drawLine(it, Offset(center.x, size.height * 0.15f), Offset(center.x, size.height * 0.85f), LINE.toPx(), StrokeCap.Round)
+            drawLine(
+                it,
+                Offset(center.x, size.height * 0.15f),
+                Offset(center.x, size.height * 0.85f),
+                LINE.toPx(),
+                StrokeCap.Round,
+            )
         }
         if (camera.mode != MapMode.WHOLE || !wearerKnown) {
-            Control(R.string.map_whole, camera::showAll) { drawRect(it, Offset(size.width * 0.15f, size.height * 0.15f), size * 0.7f, style = Stroke(LINE.toPx())) }
+            Control(R.string.map_whole, camera::showAll) {
+                drawRect(it, Offset(size.width * 0.15f, size.height * 0.15f), size * 0.7f, style = Stroke(LINE.toPx()))
+            }
         }
         if (wearerKnown && camera.mode != MapMode.FOLLOW) {
             Control(R.string.map_follow, camera::follow) {
@@ -46,10 +61,14 @@ fun MapControls(camera: MapCamera, wearerKnown: Boolean, levels: List<Int>, leve
         }
         if (wearerKnown) {
             val up = camera.headingUp
-            Control(if (up) R.string.map_north_up else R.string.map_heading_up, { camera.turnUp(!up) }) { if (up) drawNorth(it) else drawArrow(it) }
+            Control(if (up) R.string.map_north_up else R.string.map_heading_up, { camera.turnUp(!up) }) {
+                if (up) drawNorth(it) else drawArrow(it)
+            }
         }
         if (levels.size > 1) {
-            Action(stringResource(R.string.map_level, level), Modifier) { onLevel(levels[(levels.indexOf(level) + 1) % levels.size]) }
+            Action(stringResource(R.string.map_level, level), Modifier) {
+                onLevel(levels[(levels.indexOf(level) + 1) % levels.size])
+            }
         }
     }
 }
@@ -64,7 +83,13 @@ private fun Control(name: Int, onClick: () -> Unit, draw: DrawScope.(Color) -> U
 }
 
 private fun DrawScope.drawBar(colour: Color) =
-    drawLine(colour, Offset(size.width * 0.15f, center.y), Offset(size.width * 0.85f, center.y), LINE.toPx(), StrokeCap.Round)
+    drawLine(
+        colour,
+        Offset(size.width * 0.15f, center.y),
+        Offset(size.width * 0.85f, center.y),
+        LINE.toPx(),
+        StrokeCap.Round,
+    )
 
 /** The wearer's arrow, upright. */
 private fun DrawScope.drawArrow(colour: Color) = drawPath(

@@ -49,7 +49,9 @@ internal fun DrawScope.drawRooms(drawing: LevelDrawing, view: MapView, colours: 
     for (room in drawing.rooms) {
         val floor = Path().apply { fillType = PathFillType.EvenOdd }
         for (loop in room.boundary) {
-            loop.forEachIndexed { i, p -> view(p).let { if (i == 0) floor.moveTo(it.x, it.y) else floor.lineTo(it.x, it.y) } }
+            loop.forEachIndexed { i, p ->
+                view(p).let { if (i == 0) floor.moveTo(it.x, it.y) else floor.lineTo(it.x, it.y) }
+            }
             floor.close()
         }
         drawPath(floor, if (room.index == here) colours.here else colours.floor)
@@ -66,8 +68,8 @@ internal fun DrawScope.drawDoors(drawing: LevelDrawing, view: MapView, colours: 
 }
 
 /**
- * The wearer's own room goes without: its name stands below the map, and the wearer would hide it. A name that would lie on
- * one of [places] moves below it.
+ * The wearer's own room goes without: its name stands below the map, and the wearer would hide it. A name that would
+ * lie on one of [places] moves below it.
  */
 internal fun DrawScope.drawLabels(
     rooms: List<DrawnRoom>,
@@ -86,7 +88,9 @@ internal fun DrawScope.drawLabels(
         val middle = view(room.middle)
         val height = fitting.sumOf { it.size.height }
         val below = PLACE.toPx() * 1.5f
-        val hidden = marks.firstOrNull { abs(it.x - middle.x) < LABEL_REACH.toPx() && abs(it.y - middle.y) < height / 2f + below }
+        val hidden = marks.firstOrNull {
+            abs(it.x - middle.x) < LABEL_REACH.toPx() && abs(it.y - middle.y) < height / 2f + below
+        }
         var top = hidden?.let { it.y + below } ?: (middle.y - height / 2f)
         for (layout in fitting) {
             drawText(layout, colours.label, Offset(middle.x - layout.size.width / 2f, top))
@@ -137,9 +141,17 @@ internal fun DrawScope.drawWay(legs: List<List<Point>>, view: MapView, colours: 
     for (leg in legs) {
         val path = Path()
         leg.forEachIndexed { i, p -> view(p).let { if (i == 0) path.moveTo(it.x, it.y) else path.lineTo(it.x, it.y) } }
-        drawPath(path, colours.floor, style = Stroke(WAY.toPx() + 3.dp.toPx(), cap = StrokeCap.Round, join = StrokeJoin.Round))
+        drawPath(
+            path,
+            colours.floor,
+            style = Stroke(WAY.toPx() + 3.dp.toPx(), cap = StrokeCap.Round, join = StrokeJoin.Round),
+        )
         val dashes = PathEffect.dashPathEffect(floatArrayOf(12.dp.toPx(), 6.dp.toPx()))
-        drawPath(path, colours.way, style = Stroke(WAY.toPx(), cap = StrokeCap.Butt, join = StrokeJoin.Round, pathEffect = dashes))
+        drawPath(
+            path,
+            colours.way,
+            style = Stroke(WAY.toPx(), cap = StrokeCap.Butt, join = StrokeJoin.Round, pathEffect = dashes),
+        )
         val goal = view(leg.last())
         drawCircle(colours.floor, WAY.toPx() * 2f, goal)
         drawCircle(colours.way, WAY.toPx() * 1.6f, goal)

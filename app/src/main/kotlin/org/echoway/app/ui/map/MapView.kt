@@ -21,7 +21,9 @@ class MapView(val centre: Point, val scale: Float, val turn: Double, private val
 
     operator fun invoke(p: Point): Offset {
         val d = p - centre
-        return Offset(middle.x + ((c * d.x - s * d.y) * scale).toFloat(), middle.y - ((s * d.x + c * d.y) * scale).toFloat())
+        return Offset(
+            middle.x + ((c * d.x - s * d.y) * scale).toFloat(), middle.y - ((s * d.x + c * d.y) * scale).toFloat(),
+        )
     }
 
     /** The point of the level that lies as far from [centre] as [pixels] from the middle. */

@@ -14,7 +14,12 @@ import org.echoway.core.Point
 import org.echoway.core.Room
 
 /** A level of a plan in words: as a sentence, and room by room. [title] is what a wearer calls the building. */
-class MapWords(private val resources: Resources, private val title: String, private val plan: Plan, private val lengths: LengthStyle) {
+class MapWords(
+    private val resources: Resources,
+    private val title: String,
+    private val plan: Plan,
+    private val lengths: LengthStyle,
+) {
     private val wording = Wording(resources)
 
     /** "Map of Torgersen laboratory, level 3. 7 rooms, 2 exits. You are in Room 4, Seminar room." */
@@ -29,13 +34,17 @@ class MapWords(private val resources: Resources, private val title: String, priv
         val here = wearer?.let { resources.getString(R.string.map_wearer_in, wording.name(plan.rooms[it.room])) }
             ?: resources.getString(R.string.map_wearer_unknown)
         val way = wayM?.let { resources.getString(R.string.map_way, resources.roughLength(it, lengths)) }
-        return listOfNotNull(resources.getString(R.string.map_sentence, title, level, size, here), way).joinToString(" ")
+        return listOfNotNull(
+            resources.getString(R.string.map_sentence, title, level, size, here), way,
+        ).joinToString(" ")
     }
 
     /** "Room 4, Seminar room. North of you, 12 feet. Door to Room 2. Exit: East stairs. Here: Lectern." */
     fun room(index: Int, wearer: Estimate?): String {
         val room = plan.rooms[index]
-        return listOfNotNull(wording.room(room), lies(index, wearer), doors(index), exits(index), places(index)).joinToString(" ")
+        return listOfNotNull(
+            wording.room(room), lies(index, wearer), doors(index), exits(index), places(index),
+        ).joinToString(" ")
     }
 
     private fun lies(index: Int, wearer: Estimate?): String? {
@@ -85,5 +94,7 @@ class MapWords(private val resources: Resources, private val title: String, priv
 /** The middle of a room's box, in its level's frame. */
 internal fun Room.middle(): Point {
     val corners = walls.flatMap { listOf(it.a, it.b) }.map(frame::toLevel)
-    return Point((corners.minOf { it.x } + corners.maxOf { it.x }) / 2, (corners.minOf { it.y } + corners.maxOf { it.y }) / 2)
+    return Point(
+        (corners.minOf { it.x } + corners.maxOf { it.x }) / 2, (corners.minOf { it.y } + corners.maxOf { it.y }) / 2,
+    )
 }

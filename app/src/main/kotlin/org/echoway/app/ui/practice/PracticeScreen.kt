@@ -20,7 +20,10 @@ import org.echoway.app.ui.common.Screen
 @Composable
 fun PracticeScreen(canVibrate: Boolean, onPractise: (Touch, String) -> Unit, onBack: () -> Unit) {
     Screen(stringResource(R.string.practice), onBack) {
-        Text(stringResource(if (canVibrate) R.string.practice_hint else R.string.no_vibrator), style = MaterialTheme.typography.bodyLarge)
+        Text(
+            stringResource(if (canVibrate) R.string.practice_hint else R.string.no_vibrator),
+            style = MaterialTheme.typography.bodyLarge,
+        )
         Touch.entries.forEach { Signal(it, onPractise) }
     }
 }

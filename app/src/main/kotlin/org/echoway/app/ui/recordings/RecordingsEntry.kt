@@ -31,7 +31,11 @@ fun NavGraphBuilder.recordings(container: AppContainer, start: () -> Unit, open:
                         open(Route.Live)
                     }
                 },
-                onShare = { context.startActivity(Intent.createChooser(share(context, container.recordings.files(it.name)), null)) },
+                onShare = {
+                    context.startActivity(
+                        Intent.createChooser(share(context, container.recordings.files(it.name)), null),
+                    )
+                },
                 onAskDelete = model::askDelete,
                 onDelete = model::delete,
                 onBack = back,
@@ -47,5 +51,9 @@ internal fun share(context: Context, files: List<File>): Intent {
         .setType("text/csv")
         .putParcelableArrayListExtra(Intent.EXTRA_STREAM, uris)
         .addFlags(Intent.FLAG_GRANT_READ_URI_PERMISSION)
-        .apply { clipData = ClipData.newRawUri(null, uris.first()).also { clip -> uris.drop(1).forEach { clip.addItem(ClipData.Item(it)) } } }
+        .apply {
+            clipData = ClipData.newRawUri(null, uris.first()).also { clip ->
+                uris.drop(1).forEach { clip.addItem(ClipData.Item(it)) }
+            }
+        }
 }

@@ -45,13 +45,17 @@ fun RecordingsScreen(state: RecordingsUiState, actions: RecordingsActions) {
         Toggle(stringResource(R.string.setting_record), state.recordWalks, actions.onRecord)
         Text(stringResource(R.string.recordings_stay), style = MaterialTheme.typography.bodyLarge)
         Status(state.status)
-        if (state.all?.isEmpty() == true) Text(stringResource(R.string.no_recordings), style = MaterialTheme.typography.bodyLarge)
+        if (state.all?.isEmpty() == true) {
+            Text(stringResource(R.string.no_recordings), style = MaterialTheme.typography.bodyLarge)
+        }
         state.all?.forEach { recording ->
             HorizontalDivider()
             Item(recording, (state.status as? RecordingStatus.On)?.name == recording.name, actions)
         }
     }
-    state.askDelete?.let { recording -> AskDelete(title(recording), { actions.onAskDelete(null) }) { actions.onDelete(recording) } }
+    state.askDelete?.let { recording ->
+        AskDelete(title(recording), { actions.onAskDelete(null) }) { actions.onDelete(recording) }
+    }
 }
 
 @Composable
@@ -60,7 +64,11 @@ private fun Status(status: RecordingStatus) {
         RecordingStatus.Off -> return
         is RecordingStatus.On -> stringResource(R.string.recording_now)
         is RecordingStatus.Failed ->
-            if (status.diskFull) stringResource(R.string.recording_disk_full) else stringResource(R.string.recording_failed, status.reason)
+            if (status.diskFull) {
+                stringResource(R.string.recording_disk_full)
+            } else {
+                stringResource(R.string.recording_failed, status.reason)
+            }
     }
     val failed = status is RecordingStatus.Failed
     val colours = MaterialTheme.colorScheme
@@ -91,7 +99,9 @@ private fun Item(recording: Recording, running: Boolean, actions: RecordingsActi
 @Composable
 private fun title(recording: Recording): String {
     val locale = LocalConfiguration.current.locales[0]
-    return recording.startedAt?.format(DateTimeFormatter.ofLocalizedDateTime(FormatStyle.MEDIUM, FormatStyle.SHORT).withLocale(locale))
+    return recording.startedAt?.format(
+        DateTimeFormatter.ofLocalizedDateTime(FormatStyle.MEDIUM, FormatStyle.SHORT).withLocale(locale),
+    )
         ?: recording.name
 }
 

@@ -44,7 +44,12 @@ class RecordingsViewModel(private val recordings: Recordings, private val settin
             settings.update {
                 val building = recording.building ?: it.building
                 val entrance = it.entrance.takeIf { _ -> building == it.building }
-                it.copy(source = SourceKind.RECORDING, recording = recording.scans, building = building, entrance = entrance)
+                it.copy(
+                    source = SourceKind.RECORDING,
+                    recording = recording.scans,
+                    building = building,
+                    entrance = entrance,
+                )
             }
             start()
         }

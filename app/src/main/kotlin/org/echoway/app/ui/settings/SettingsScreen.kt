@@ -21,19 +21,41 @@ import org.echoway.core.LengthStyle
 @Composable
 fun SettingsScreen(settings: Settings, onChange: ((Settings) -> Settings) -> Unit, onBack: () -> Unit) {
     Screen(stringResource(R.string.settings), onBack) {
-        OneOf(R.string.setting_language, listOf(null) + Language.entries, settings.language, Language?::title) { choice -> onChange { it.copy(language = choice) } }
-        OneOf(R.string.setting_service, ServiceModel.entries, settings.service, ServiceModel::title) { choice -> onChange { it.copy(service = choice) } }
-        OneOf(R.string.setting_verbosity, Verbosity.entries, settings.verbosity, Verbosity::title) { choice -> onChange { it.copy(verbosity = choice) } }
-        OneOf(R.string.setting_directions, DirectionStyle.entries, settings.directions, DirectionStyle::title) { choice -> onChange { it.copy(directions = choice) } }
-        OneOf(R.string.setting_lengths, LengthStyle.entries, settings.lengths, LengthStyle::title) { choice -> onChange { it.copy(lengths = choice) } }
-        Toggle(stringResource(R.string.setting_avoid_stairs), settings.avoidStairs) { on -> onChange { it.copy(avoidStairs = on) } }
-        OneOf(R.string.setting_theme, ThemeChoice.entries, settings.theme, ThemeChoice::title) { choice -> onChange { it.copy(theme = choice) } }
-        Toggle(stringResource(R.string.setting_vibration), settings.vibration) { on -> onChange { it.copy(vibration = on) } }
+        OneOf(
+            R.string.setting_language, listOf(null) + Language.entries, settings.language, Language?::title,
+        ) { choice -> onChange { it.copy(language = choice) } }
+        OneOf(R.string.setting_service, ServiceModel.entries, settings.service, ServiceModel::title) { choice ->
+            onChange { it.copy(service = choice) }
+        }
+        OneOf(R.string.setting_verbosity, Verbosity.entries, settings.verbosity, Verbosity::title) { choice ->
+            onChange { it.copy(verbosity = choice) }
+        }
+        OneOf(
+            R.string.setting_directions, DirectionStyle.entries, settings.directions, DirectionStyle::title,
+        ) { choice -> onChange { it.copy(directions = choice) } }
+        OneOf(R.string.setting_lengths, LengthStyle.entries, settings.lengths, LengthStyle::title) { choice ->
+            onChange { it.copy(lengths = choice) }
+        }
+        Toggle(stringResource(R.string.setting_avoid_stairs), settings.avoidStairs) { on ->
+            onChange { it.copy(avoidStairs = on) }
+        }
+        OneOf(R.string.setting_theme, ThemeChoice.entries, settings.theme, ThemeChoice::title) { choice ->
+            onChange { it.copy(theme = choice) }
+        }
+        Toggle(stringResource(R.string.setting_vibration), settings.vibration) { on ->
+            onChange { it.copy(vibration = on) }
+        }
         Toggle(stringResource(R.string.setting_motion), settings.motion) { on -> onChange { it.copy(motion = on) } }
-        Toggle(stringResource(R.string.setting_volume_keys), settings.volumeKeys) { on -> onChange { it.copy(volumeKeys = on) } }
+        Toggle(stringResource(R.string.setting_volume_keys), settings.volumeKeys) { on ->
+            onChange { it.copy(volumeKeys = on) }
+        }
         Toggle(stringResource(R.string.setting_record), settings.record) { on -> onChange { it.copy(record = on) } }
         Choices(stringResource(R.string.setting_not_moved)) {
-            ALERT_CHOICES_S.forEach { seconds -> Choice(alertTitle(seconds), seconds == settings.notMovedAlertS) { onChange { it.copy(notMovedAlertS = seconds) } } }
+            ALERT_CHOICES_S.forEach { seconds ->
+                Choice(alertTitle(seconds), seconds == settings.notMovedAlertS) {
+                    onChange { it.copy(notMovedAlertS = seconds) }
+                }
+            }
         }
     }
 }
@@ -47,7 +69,11 @@ private fun <T> OneOf(@StringRes title: Int, all: List<T>, chosen: T, name: (T) 
 
 @Composable
 private fun alertTitle(seconds: Int) =
-    if (seconds == 0) stringResource(R.string.never) else LocalResources.current.getQuantityString(R.plurals.seconds, seconds, seconds)
+    if (seconds == 0) {
+        stringResource(R.string.never)
+    } else {
+        LocalResources.current.getQuantityString(R.plurals.seconds, seconds, seconds)
+    }
 
 /** 0 is never. */
 private val ALERT_CHOICES_S = listOf(0, 20, Settings.DEFAULT_ALERT_S, 60, 120)

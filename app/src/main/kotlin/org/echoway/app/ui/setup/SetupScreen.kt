@@ -62,7 +62,9 @@ private fun Ready(state: SetupUiState.Ready, actions: SetupActions) {
             if (state.entrances.isNotEmpty()) {
                 Choices(stringResource(R.string.entrance)) {
                     state.entrances.forEach {
-                        Choice(if (it.id == null) stringResource(R.string.entrance_unknown) else it.title, it.chosen) { actions.onEntrance(it.id) }
+                        Choice(if (it.id == null) stringResource(R.string.entrance_unknown) else it.title, it.chosen) {
+                            actions.onEntrance(it.id)
+                        }
                     }
                 }
             }
@@ -80,7 +82,11 @@ private fun Ready(state: SetupUiState.Ready, actions: SetupActions) {
                 Text(stringResource(R.string.recording_unusable, it), heard, color = MaterialTheme.colorScheme.error)
             }
         }
-        Button(actions.onDone, Modifier.fillMaxWidth().padding(top = 12.dp).heightIn(min = 72.dp), enabled = state.complete) {
+        Button(
+            actions.onDone,
+            Modifier.fillMaxWidth().padding(top = 12.dp).heightIn(min = 72.dp),
+            enabled = state.complete,
+        ) {
             Text(stringResource(R.string.done), style = MaterialTheme.typography.titleLarge)
         }
     }

@@ -27,7 +27,12 @@ class SetupViewModel(private val container: AppContainer) : ViewModel() {
     private val problem = MutableStateFlow<String?>(null)
 
     val uiState: StateFlow<SetupUiState> =
-        combine(container.buildings.revision.map { container.buildings.all() }, container.settings.settings, problem, ::show)
+        combine(
+            container.buildings.revision.map { container.buildings.all() },
+            container.settings.settings,
+            problem,
+            ::show,
+        )
             .stateIn(viewModelScope, WHILE_SHOWN, SetupUiState.Loading)
 
     fun chooseBuilding(id: String) = update { if (it.building == id) it else it.copy(building = id, entrance = null) }
@@ -39,7 +44,12 @@ class SetupViewModel(private val container: AppContainer) : ViewModel() {
     /** Keeps a copy of a scan log that the wearer picked, and chooses it; a log that cannot be played is refused. */
     fun useRecording(name: String, open: () -> InputStream) {
         viewModelScope.launch {
-            val file = File(container.recordings.folder, File(name).name.let { if (it.endsWith(Recordings.SCANS)) it else it.removeSuffix(".csv") + Recordings.SCANS })
+            val file = File(
+                container.recordings.folder,
+                File(name).name.let {
+                    if (it.endsWith(Recordings.SCANS)) it else it.removeSuffix(".csv") + Recordings.SCANS
+                },
+            )
             problem.value = try {
                 withContext(Dispatchers.IO) { keep(file, open) }
                 container.settings.update { it.copy(source = SourceKind.RECORDING, recording = file.name) }

@@ -26,9 +26,13 @@ class FindingsTest {
 
     /** Two rooms; the door between them is in the middle of one and names a third. */
     private fun found(): List<Finding> {
-        File(System.getProperty("echoway.root")!!, "maps/two-rooms").listFiles()!!.forEach { it.copyTo(File(temporary.root, it.name)) }
+        File(System.getProperty("echoway.root")!!, "maps/two-rooms").listFiles()!!.forEach {
+            it.copyTo(File(temporary.root, it.name))
+        }
         File(temporary.root, "building.cfg").appendText("\nexit nowhere 1 1\n")
-        return BuildingCheck.of(temporary.root).findings.map { it.copy(file = File(it.file).name) }.filter { it.kind == FindingKind.UNKNOWN_ROOM }
+        return BuildingCheck.of(temporary.root)
+            .findings.map { it.copy(file = File(it.file).name) }
+            .filter { it.kind == FindingKind.UNKNOWN_ROOM }
     }
 
     /** Each of [lists] as of a building of its own. */
@@ -39,20 +43,30 @@ class FindingsTest {
 
     private fun assertSays(words: String, detail: String) {
         val finding = found().single()
-        assertEquals(listOf("$words, $detail${finding.problem}"), said(listOf(finding)).map { it.replace("${finding.line}", "N") })
+        assertEquals(
+            listOf("$words, $detail${finding.problem}"),
+            said(listOf(finding)).map { it.replace("${finding.line}", "N") },
+        )
         assertTrue(finding.problem, "nowhere" in finding.problem)
     }
 
-    @Test fun inEnglish() = assertSays("Warning, building.cfg, line N: A room is named that is not there.", "In detail: ")
+    @Test fun inEnglish() =
+        assertSays("Warning, building.cfg, line N: A room is named that is not there.", "In detail: ")
 
     @Test
     @Config(qualifiers = "de")
-    fun inGerman() = assertSays("Warnung, building.cfg, Zeile N: Ein Raum wird genannt, den es nicht gibt.", "Genauer, auf Englisch: ")
+    fun inGerman() = assertSays(
+        "Warnung, building.cfg, Zeile N: Ein Raum wird genannt, den es nicht gibt.",
+        "Genauer, auf Englisch: ",
+    )
 
     @Test
     @Config(qualifiers = "fr")
     fun inFrench() =
-        assertSays("Avertissement, building.cfg, ligne N : Une pièce est nommée qui n'existe pas.", "Plus précisément, en anglais : ")
+        assertSays(
+            "Avertissement, building.cfg, ligne N : Une pièce est nommée qui n'existe pas.",
+            "Plus précisément, en anglais : ",
+        )
 
     @Test fun everyKindHasItsOwnWords() {
         val each = FindingKind.entries.map { Finding(Severity.WARNING, it, "a", null, "") }

@@ -19,12 +19,18 @@ class DiagnosticsReportTest {
     private val context = ApplicationProvider.getApplicationContext<Context>()
     private val report = DiagnosticsReport(context.resources)
 
-    private fun sensor(state: SensorState, firings: Int, echoes: Int, fault: Int = 0) = SensorHealth(state, firings, echoes, fault, 4.321, 1.0)
+    private fun sensor(state: SensorState, firings: Int, echoes: Int, fault: Int = 0) =
+        SensorHealth(state, firings, echoes, fault, 4.321, 1.0)
 
     private val belt = BeltHealth(
-        BeltLink.CONNECTED, 16.03, goodSentences = 1234, badChecksums = 3, malformed = 1, lostFirings = 12, restarts = 1,
+        BeltLink.CONNECTED, 16.03, goodSentences = 1234, badChecksums = 3, malformed = 1, lostFirings = 12,
+        restarts = 1,
         temperatureC = 21.5, batteryV = 7.384, firmware = "1.4",
-        sensors = listOf(sensor(SensorState.GOOD, 64, 60), sensor(SensorState.SILENT, 64, 0), sensor(SensorState.FAULT, 1, 1, fault = 2)),
+        sensors = listOf(
+            sensor(SensorState.GOOD, 64, 60),
+            sensor(SensorState.SILENT, 64, 0),
+            sensor(SensorState.FAULT, 1, 1, fault = 2),
+        ),
     )
 
     @Test fun theWholeReportInWords() = assertEquals(
@@ -50,7 +56,14 @@ class DiagnosticsReportTest {
     @Test fun whatTheBeltDoesNotTellIsSaid() {
         val lines = report.belt(BeltHealth.NONE)
         assertEquals("No belt was heard yet.", lines.first())
-        assertEquals(listOf("The belt does not tell its temperature.", "The belt does not tell its battery.", "The belt does not tell its firmware."), lines.takeLast(3))
+        assertEquals(
+            listOf(
+                "The belt does not tell its temperature.",
+                "The belt does not tell its battery.",
+                "The belt does not tell its firmware.",
+            ),
+            lines.takeLast(3),
+        )
         assertEquals("No sensor was heard yet. Start guidance to hear the belt.", report.summary(BeltHealth.NONE))
     }
 
@@ -59,8 +72,14 @@ class DiagnosticsReportTest {
     @Test fun inGermanAndFrench() {
         val german = DiagnosticsReport(context.inLanguage(Language.GERMAN).resources)
         assertEquals("2 von 3 Sensoren brauchen Hilfe.", german.summary(belt))
-        assertEquals("1 von 3 Sensoren braucht Hilfe.", german.summary(belt.copy(sensors = belt.sensors.take(2) + belt.sensors[0])))
+        assertEquals(
+            "1 von 3 Sensoren braucht Hilfe.",
+            german.summary(belt.copy(sensors = belt.sensors.take(2) + belt.sensors[0])),
+        )
         val french = DiagnosticsReport(context.inLanguage(Language.FRENCH).resources)
-        assertEquals("1 capteur sur 3 demande une vérification.", french.summary(belt.copy(sensors = belt.sensors.take(2) + belt.sensors[0])))
+        assertEquals(
+            "1 capteur sur 3 demande une vérification.",
+            french.summary(belt.copy(sensors = belt.sensors.take(2) + belt.sensors[0])),
+        )
     }
 }

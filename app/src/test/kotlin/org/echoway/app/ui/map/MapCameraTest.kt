@@ -64,7 +64,9 @@ class MapCameraTest {
     @Test fun aTurnedLevelFitsWhateverTheHeading() {
         camera.turnUp(true)
         for (degrees in 0 until 360 step 15) {
-            val view = view(WearerMark.of(SamplePlan.plan, SamplePlan.estimate(1, 4.0, 3.0, headingDegrees = degrees.toDouble())))
+            val view = view(
+                WearerMark.of(SamplePlan.plan, SamplePlan.estimate(1, 4.0, 3.0, headingDegrees = degrees.toDouble())),
+            )
             for (corner in listOf(Point(0.0, 0.0), Point(12.0, 0.0), Point(12.0, 4.0), Point(0.0, 4.0))) {
                 val at = view(corner)
                 assertTrue("$degrees: $at", at.x in -1f..1201f && at.y in -1f..801f)

@@ -39,10 +39,12 @@ import org.robolectric.annotation.Config
 class MapReadingTest {
     @get:Rule val rule = createComposeRule()
 
-    private fun show(state: LiveUiState) = rule.setContent { EchowayTheme { LiveScreen(state, LiveActions({}, {}, {}, {}, {})) } }
+    private fun show(state: LiveUiState) =
+        rule.setContent { EchowayTheme { LiveScreen(state, LiveActions({}, {}, {}, {}, {})) } }
 
     private fun sample(picture: Picture = Picture()) = LiveUiState.On(
-        "Sample", SamplePlan.plan, "Room 1, Office.", "", SamplePlan.estimate(0, 2.0, 2.0), 0, voiceMissing = false, picture,
+        "Sample", SamplePlan.plan, "Room 1, Office.", "", SamplePlan.estimate(0, 2.0, 2.0), 0, voiceMissing = false,
+        picture,
     )
 
     @Test fun aSentenceThenRoomByRoomTheNearestFirst() {
@@ -72,7 +74,17 @@ class MapReadingTest {
 
     @Test fun theLaboratoryAsDocumented() {
         val four = torgersen.rooms.indexOfFirst { it.id == "4" }
-        show(LiveUiState.On(torgersen.name, torgersen, "Room 4, Seminar room.", "", SamplePlan.estimate(four, 2.4, 2.6), 3, voiceMissing = false))
+        show(
+            LiveUiState.On(
+                torgersen.name,
+                torgersen,
+                "Room 4, Seminar room.",
+                "",
+                SamplePlan.estimate(four, 2.4, 2.6),
+                3,
+                voiceMissing = false,
+            ),
+        )
         val page = File(System.getProperty("echoway.root")!!, "docs/screens.md").readText().replace(Regex("\\s+"), " ")
         for (line in rule.mapLines().take(4)) assertTrue("docs/screens.md does not have: $line", line in page)
     }
@@ -83,18 +95,25 @@ class MapReadingTest {
             Waypoint(Spot(0, Point(6.0, 2.0)), WaypointKind.DOOR, 0, Spot(1, Point(0.0, 2.0))),
             Waypoint(Spot(1, Point(5.0, 3.0)), WaypointKind.GOAL, -1, null),
         )
-        show(sample(Picture(Route(way, 9.1, 0.4, usesStairs = false, usesElevator = false, Destination(DestinationKind.PLACE, 0)))))
+        val lectern = Destination(DestinationKind.PLACE, 0)
+        show(sample(Picture(Route(way, 9.1, 0.4, usesStairs = false, usesElevator = false, lectern))))
         rule.onNodeWithContentDescription("The way has 30 feet left.", substring = true).assertIsDisplayed()
     }
 
     @Test fun theFingerFindsTheRoomThatIsDrawnBelowIt() {
         show(LiveUiState.Off(torgersen.name, torgersen))
         val names = Regex("(Room \\d|Hall)[.,].*")
-        val rooms = rule.onAllNodes(SemanticsMatcher("room") { it.config.getOrNull(SemanticsProperties.ContentDescription)?.first()?.let(names::matches) == true })
+        val rooms = rule.onAllNodes(
+            SemanticsMatcher("room") {
+                it.config.getOrNull(SemanticsProperties.ContentDescription)?.first()?.let(names::matches) == true
+            },
+        )
             .fetchSemanticsNodes()
         assertEquals(torgersen.rooms.size, rooms.size)
-        val hall = rooms.single { it.config[SemanticsProperties.ContentDescription].first().startsWith("Hall") }.boundsInRoot
-        val six = rooms.single { it.config[SemanticsProperties.ContentDescription].first().startsWith("Room 6") }.boundsInRoot
+        val hall =
+            rooms.single { it.config[SemanticsProperties.ContentDescription].first().startsWith("Hall") }.boundsInRoot
+        val six =
+            rooms.single { it.config[SemanticsProperties.ContentDescription].first().startsWith("Room 6") }.boundsInRoot
         assertTrue("the hall lies below room 6 and is larger", hall.top > six.bottom && hall.width > six.width)
     }
 
@@ -108,7 +127,8 @@ class MapReadingTest {
     }
 
     @Test fun buildingsWithSeveralLevelsAreGoneThroughLevelByLevel() {
-        val upstairs = SamplePlan.plan.copy(rooms = SamplePlan.plan.rooms.mapIndexed { i, room -> room.copy(level = i) })
+        val upstairs =
+            SamplePlan.plan.copy(rooms = SamplePlan.plan.rooms.mapIndexed { i, room -> room.copy(level = i) })
         show(LiveUiState.Off("Sample", upstairs))
         rule.onNodeWithText("Level 0").performClick()
         rule.onNodeWithContentDescription("Room 4, Seminar room.", substring = true).assertIsDisplayed()

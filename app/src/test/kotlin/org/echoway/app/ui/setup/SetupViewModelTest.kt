@@ -50,7 +50,8 @@ class SetupViewModelTest {
             object : InputStream() {
                 override fun read() = '#'.code
 
-                override fun read(into: ByteArray, offset: Int, length: Int): Int = length.also { into.fill('#'.code.toByte(), offset, offset + length) }
+                override fun read(into: ByteArray, offset: Int, length: Int): Int =
+                    length.also { into.fill('#'.code.toByte(), offset, offset + length) }
             }
         }
         await("a refusal") { problem != null }
