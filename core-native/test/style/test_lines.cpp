@@ -18,7 +18,7 @@ constexpr std::ptrdiff_t kColumns = 120;  // As .clang-format says; Kotlin has t
 const fs::path kRoot = ECHOWAY_ROOT_DIR;
 
 // Folders that still have longer lines.
-const std::vector<std::string> kExceptions = {"core-native/src/tracker/", "core-native/test/tracker/"};
+const std::vector<std::string> kExceptions = {"core-native/src/tracker/"};
 
 bool is_source(const fs::path& file) {
   const std::string extension = file.extension().string();

@@ -45,7 +45,8 @@ inline Building plain_hall() {
 }
 
 inline void join(Building& b, RoomIndex x, RoomIndex y, Vec2 on_level, double width = 0.95) {
-  b.doors.push_back({x, b.room(x).frame.inverse_transform(on_level), y, b.room(y).frame.inverse_transform(on_level), width});
+  const auto in = [&](RoomIndex room) { return b.room(room).frame.inverse_transform(on_level); };
+  b.doors.push_back({x, in(x), y, in(y), width});
 }
 
 /// An L-shaped office, a smaller one beside it, and a hall along both.

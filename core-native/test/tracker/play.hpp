@@ -13,7 +13,9 @@ void play(const sim::Simulation& walk, Listener& listener, After&& after, bool h
   std::size_t hint = 0;
   for (std::size_t i = 0; i < walk.scans.firings.size(); ++i) {
     const Firing& firing = walk.scans.firings[i];
-    while (hints && hint < walk.motion.size() && walk.motion[hint].time_s <= firing.time_s) listener.on_motion(walk.motion[hint++]);
+    while (hints && hint < walk.motion.size() && walk.motion[hint].time_s <= firing.time_s) {
+      listener.on_motion(walk.motion[hint++]);
+    }
     listener.on_firing(firing);
     after(i);
   }

@@ -66,7 +66,7 @@ TEST(BayesLocator, KeepsHoldOfAWearerThroughRoomsAndDoors) {
   EXPECT_GT(score.room_share, 0.95);
 }
 
-// How many firings later than the wearer the estimate goes from room to room, in the mean; less than nothing when it is early.
+// How many firings later than the wearer the estimate goes from room to room, in the mean; negative when it is early.
 double lateness(Locator& locator, const Building& building, const sim::Simulation& walk) {
   std::vector<RoomIndex> said;
   test::play(walk, locator, [&](std::size_t) { said.push_back(locator.estimate().room); }, true);
@@ -97,13 +97,14 @@ TEST(BayesLocator, ARoomEndsInTheMiddleOfADoorway) {
   EXPECT_NEAR(late, 0.0, 1.0) << "firings";
 }
 
-// Cluttered rooms, people about, ghosts: most echoes come from what the plan does not know. A model that reckons with less of
-// it loses two of these walks.
+// Cluttered rooms, people about, ghosts: most echoes come from what the plan does not know. A model that reckons with
+// less of it loses two of these walks.
 TEST(BayesLocator, HoldsAWearerAmongMoreStrangersThanThingsOfThePlan) {
   const Building building = *load_building(std::string(ECHOWAY_MAPS_DIR) + "/torgersen-lab");
   for (std::uint64_t seed = 301; seed <= 308; ++seed) {
     const auto walk = walk_through(building, seed * 101 + 7, 60.0, sim::Profile::hard);
-    BayesLocator locator(building, walk.scans.belt.apply_to({}), start_at(building, walk.truth.front()), {.seed = seed});
+    const Start start = start_at(building, walk.truth.front());
+    BayesLocator locator(building, walk.scans.belt.apply_to({}), start, {.seed = seed});
     EXPECT_LT(follow(locator, building, walk, true).mean_m, 1.0) << "walk " << seed;
   }
 }
@@ -119,7 +120,8 @@ TEST(BayesLocator, HoldsAWearerWhosePhoneSwingsInATrouserPocket) {
     plan.world.phone_swing_rad = degrees(16.0);
     plan.world.step_length_m = 0.4;
     const auto walk = *sim::simulate(building, plan);
-    BayesLocator locator(building, walk.scans.belt.apply_to({}), start_at(building, walk.truth.front()), {.seed = seed});
+    const Start start = start_at(building, walk.truth.front());
+    BayesLocator locator(building, walk.scans.belt.apply_to({}), start, {.seed = seed});
     mean_m += follow(locator, building, walk, true).mean_m / 4.0;
   }
   EXPECT_LT(mean_m, 0.7) << "metres; a tracker that trusts the gyroscope loses one of these";
@@ -140,14 +142,15 @@ TEST(BayesLocator, FindsAWearerOfWhomNothingIsKnown) {
   EXPECT_GE(found, 3 * kWalks / 4);
 }
 
-// Under a coat a belt hears what is near and nothing else. Silence says little then: a tracker that takes it for empty space
-// places a third as many of these scans.
+// Under a coat a belt hears what is near and nothing else. Silence says little then: a tracker that takes it for empty
+// space places a third as many of these scans.
 TEST(BayesLocator, PlacesAWearerWhoseBeltHearsOnlyWhatIsNear) {
   constexpr int kScans = 60;
   constexpr double kHeard = 1.3;    // Metres.
   constexpr double kSeconds = 2.8;  // Three passes.
   Building building;
-  building.rooms.push_back(test::room_from_outline("box room", {{0, 0}, {3.0, 0}, {3.0, 1.1}, {1.8, 1.1}, {1.8, 2.6}, {0, 2.6}}));
+  building.rooms.push_back(
+      test::room_from_outline("box room", {{0, 0}, {3.0, 0}, {3.0, 1.1}, {1.8, 1.1}, {1.8, 2.6}, {0, 2.6}}));
   int placed = 0;
   for (std::uint64_t seed = 1; seed <= kScans; ++seed) {
     sim::Walk stand = sim::random_walk(building, {.duration_s = 1.0}, seed);
@@ -165,8 +168,8 @@ TEST(BayesLocator, PlacesAWearerWhoseBeltHearsOnlyWhatIsNear) {
   EXPECT_GT(placed, kScans / 3);
 }
 
-// A turn is followed by how the echoes move alone. In the middle of a room that looks alike from two sides it may be taken for
-// the other way round, which two of these eight walks tempt to.
+// A turn is followed by how the echoes move alone. In the middle of a room that looks alike from two sides it may be
+// taken for the other way round, which two of these eight walks tempt to.
 TEST(BayesLocator, FollowsTurnsThatNoGyroscopeTold) {
   constexpr int kWalks = 8;
   const auto building = load_building(std::string(ECHOWAY_MAPS_DIR) + "/torgersen-lab");
@@ -189,7 +192,8 @@ TEST(BayesLocator, KeepsBothPlacesOfASymmetricRoomInMind) {
     const auto walk = walk_through(building, seed, 30.0);
     BayesLocator locator(building, {}, {});
     const auto holds = [&](Vec2 place) {
-      return std::ranges::any_of(locator.hypotheses(), [&](const Hypothesis& h) { return distance(h.pose.position, place) < 0.6; });
+      return std::ranges::any_of(locator.hypotheses(),
+                                 [&](const Hypothesis& h) { return distance(h.pose.position, place) < 0.6; });
     };
     test::play(walk, locator, [&](std::size_t i) {
       if (walk.scans.firings[i].time_s < kKnown) return;
@@ -211,7 +215,9 @@ TEST(BayesLocator, TakesTheFirstBearingsOfAnUnknownWearerFromTheirCompass) {
     for (int seed = 1; seed <= kWalks; ++seed) {
       auto walk = walk_through(building, static_cast<std::uint64_t>(seed), 10.0);
       BayesLocator locator(building, {}, {});
-      const auto level_heading = [&](const TruthRow& row) { return building.room(building.find_room(row.room)).frame.heading + row.pose.heading; };
+      const auto level_heading = [&](const TruthRow& row) {
+        return building.room(building.find_room(row.room)).frame.heading + row.pose.heading;
+      };
       if (compass) {
         const double said = level_heading(walk.truth.front()) + degrees(5.0);
         locator.on_motion({walk.scans.firings.front().time_s, MotionKind::heading, said});
@@ -244,8 +250,8 @@ TEST(BayesLocator, GivesTheSameBitsOnEveryRun) {
   EXPECT_EQ(a.track, b.track);
 }
 
-// What a cover answers tells nothing about the air: a wearer would not be found again for as long as a search believes that
-// sound is impossibly fast.
+// What a cover answers tells nothing about the air: a wearer would not be found again for as long as a search believes
+// that sound is impossibly fast.
 TEST(BayesLocator, LearnsNothingOfTheSpeedOfSoundUnderACover) {
   constexpr int kCovered = 3000;
   const Building building = test::small_office();

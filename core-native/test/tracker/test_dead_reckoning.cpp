@@ -38,7 +38,8 @@ TEST(DeadReckoning, TellsLikeOfficesApartAfterAFewSteps) {
 TEST(DeadReckoning, IsBelievedLessTheLongerTheWay) {
   const auto gain = [](double way) {
     const DeadReckoning reckoning = reckoning_after(way);
-    return reckoning.log_prior({2, {1.0 + way, 1.0}, 0.0}, kArea) - reckoning.log_prior({2, {4.0 + way, 1.0}, 0.0}, kArea);
+    const auto prior_at = [&](double x) { return reckoning.log_prior({2, {x, 1.0}, 0.0}, kArea); };
+    return prior_at(1.0 + way) - prior_at(4.0 + way);
   };
   EXPECT_GT(gain(0.0), gain(5.0));
   EXPECT_GT(gain(5.0), gain(20.0));

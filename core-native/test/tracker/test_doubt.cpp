@@ -50,8 +50,8 @@ TEST(Doubt, BringsThePlaceThatLooksTheSameToMind) {
 
 TEST(Doubt, IsNoReasonToForgetWhereTheWearerWasTakenToBe) { EXPECT_GE(considered(true, true), 5); }
 
-/// How likely the other level of two that are alike is, some seconds after the wearer was told to go there and the guide
-/// has come to doubt that they are still before the stairs.
+/// How likely the other level of two that are alike is, some seconds after the wearer was told to go there and the
+/// guide has come to doubt that they are still before the stairs.
 double elsewhere(std::uint64_t seed, bool doubted) {
   sim::RandomWalkOptions options;
   options.duration_s = 30.0;

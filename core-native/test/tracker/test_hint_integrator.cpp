@@ -22,7 +22,8 @@ HintIntegrator walked(const std::vector<double>& steps) {
 TEST(HintIntegrator, TellHowFastStepsFollowThoughOneIsMissedAndOneInvented) {
   EXPECT_NEAR(walked({0.0, 0.6, 1.2, 1.8, 2.4, 3.0}).cadence(3.1), 1.0 / 0.6, 1e-9);
   EXPECT_NEAR(walked({0.0, 0.6, 1.8, 2.4, 3.0, 3.6}).cadence(3.7), 1.0 / 0.6, 1e-9) << "the one at 1.2 s was missed";
-  EXPECT_NEAR(walked({0.0, 0.6, 1.2, 1.5, 1.8, 2.4, 3.0}).cadence(3.1), 1.0 / 0.6, 1e-9) << "the one at 1.5 s was invented";
+  EXPECT_NEAR(walked({0.0, 0.6, 1.2, 1.5, 1.8, 2.4, 3.0}).cadence(3.1), 1.0 / 0.6, 1e-9)
+      << "the one at 1.5 s was invented";
 }
 
 // Feet that turn on the spot step faster than on the way, and go nowhere.
@@ -118,8 +119,8 @@ void report_turn(HintIntegrator& hints, double period, double until, int& report
   }
 }
 
-// The worst error of the heading over three seconds, degrees, of a gyroscope that reports 25 times a second the mean rate of
-// the time since its last report, each reading `late` seconds after its stamp.
+// The worst error of the heading over three seconds, degrees, of a gyroscope that reports 25 times a second the mean
+// rate of the time since its last report, each reading `late` seconds after its stamp.
 double worst_heading_error(double late) {
   HintIntegrator hints;
   double heading = 0.0;
@@ -135,7 +136,7 @@ double worst_heading_error(double late) {
 }
 
 TEST(HintIntegrator, AHeadingDoesNotLagBehindATurn) {
-  // What has been turned since the last reading is guessed from it: at the ends of the turn by 40 ms of 90 degrees a second.
+  // What has been turned since the last reading is guessed from it: at a turn's ends by 40 ms of 90 degrees a second.
   EXPECT_LT(worst_heading_error(0.0), 3.6);
 }
 
@@ -158,8 +159,8 @@ TEST(HintIntegrator, ASteadyTurnIsFollowedExactly) {
   }
 }
 
-// A belt listens for 60 ms before it tells of a firing, the phone's sensors tell at once. Live and in a recording, where all
-// is in order of time, the wearer faces the same way.
+// A belt listens for 60 ms before it tells of a firing, the phone's sensors tell at once. Live and in a recording,
+// where all is in order of time, the wearer faces the same way.
 TEST(HintIntegrator, WhatComesBeforeAFiringThoughItIsLaterWaitsForItsTime) {
   const auto headings = [](double early) {
     HintIntegrator hints;

@@ -25,7 +25,9 @@ class LevelBeliefTest : public ::testing::Test {
     one[0].gait = gait;
     for (double t = 0.0; t < seconds; t += 0.1) belief.observe(one, links, 0.1);
   }
-  [[nodiscard]] bool is_likelier(RoomIndex a, RoomIndex b) const { return belief.log_probability(a) > belief.log_probability(b); }
+  [[nodiscard]] bool is_likelier(RoomIndex a, RoomIndex b) const {
+    return belief.log_probability(a) > belief.log_probability(b);
+  }
 
   const Building building = two_levels();
   LevelLinks links{building};

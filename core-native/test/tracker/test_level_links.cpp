@@ -19,7 +19,7 @@ Building tower() {
   return b;
 }
 
-// Rooms in which particles that start in room 1 at `at` are found after so many seconds; the last counts those on the way.
+// Rooms in which particles that start in room 1 at `at` are found after so many seconds; last, those on the way.
 std::array<int, 4> after(double seconds, Vec2 at, const LevelTransition* told, bool led = false) {
   const Building building = tower();
   LevelLinks links(building);

@@ -40,7 +40,8 @@ TEST(Panorama, ExpectsWhatTheTrackerExpectsThere) {
         shot.range = range;
         Particle untouched = p;
         const double exact = assimilate(untouched, shot, model, scene).density;
-        const double seen = density_of(panorama.towards(angle, belt.radius_m, model, scene), shot.echo, range, {}, model);
+        const Panorama::Sight& sight = panorama.towards(angle, belt.radius_m, model, scene);
+        const double seen = density_of(sight, shot.echo, range, {}, model);
         EXPECT_NEAR(seen, exact, 1e-9 * exact) << "room " << room << ", direction " << k << ", range " << range;
       }
     }
@@ -60,7 +61,8 @@ TEST(Panorama, FollowsAShortWalkTowardsAWall) {
   Offset walked;
   walked.moved = {0.0, -0.4};
   const double to_wall = 1.5 - belt.radius_m;
-  EXPECT_GT(density_of(sight, true, to_wall - 0.4, walked, model), 5.0 * density_of(sight, true, to_wall, walked, model));
+  EXPECT_GT(density_of(sight, true, to_wall - 0.4, walked, model),
+            5.0 * density_of(sight, true, to_wall, walked, model));
   EXPECT_GT(density_of(sight, true, to_wall, {}, model), 5.0 * density_of(sight, true, to_wall - 0.4, {}, model));
 }
 

@@ -7,10 +7,10 @@
 namespace echoway::tracker {
 namespace {
 
-constexpr double kAside = 0.8;                    // Metres from the wall beside: the one on the right, or the one on the left.
+constexpr double kAside = 0.8;  // Metres from the wall beside: the one on the right, or the one on the left.
 constexpr Vec2 kHere{1.5, kAside};
 constexpr Vec2 kThere{1.5, test::kFarCorner.y - kAside};
-constexpr int kAhead = 0, kLeft = 4;              // Sensors.
+constexpr int kAhead = 0, kLeft = 4;  // Sensors.
 
 class RefinementTest : public ::testing::Test {
  protected:

@@ -55,7 +55,8 @@ TEST(Rival, ThatGainsSlowlyOnAPoorBeliefIsNotDismissedForItsAge) {
 }
 
 TEST(Rival, ThatIsRightIsBelievedAgainstAPoorBeliefToo) {
-  EXPECT_EQ(firings_until(Rival::Verdict::accepted, -20.0, 0.5, true), firings_until(Rival::Verdict::accepted, -20.0, 0.5));
+  EXPECT_EQ(firings_until(Rival::Verdict::accepted, -20.0, 0.5, true),
+            firings_until(Rival::Verdict::accepted, -20.0, 0.5));
 }
 
 }  // namespace

@@ -46,7 +46,8 @@ TEST(SensorHealth, NamesSteadyNearReadingsThatNothingExplains) {
   for (int pass = 0; pass < 40; ++pass) {
     for (int s = 0; s < kSensors; ++s) {
       (void)health.trust(s, true);
-      health.judge(s, true, s == 8 ? 1.1 + 0.05 * (pass % 5) : 1.0 + 0.1 * ((pass * 7 + s) % 23), 0.8 * pass, s == 8 ? 0.95 : 0.1);
+      const double range = s == 8 ? 1.1 + 0.05 * (pass % 5) : 1.0 + 0.1 * ((pass * 7 + s) % 23);
+      health.judge(s, true, range, 0.8 * pass, s == 8 ? 0.95 : 0.1);
     }
   }
   ASSERT_EQ(health.suspicions().size(), 1u);

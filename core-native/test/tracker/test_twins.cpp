@@ -1,4 +1,4 @@
-// Rooms that look the same turned about: a search that has found the wrong place of two has found the right one as well.
+// Rooms that look the same turned about: a search that has found the wrong place of two has found the right one too.
 #include "tracker/twins.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,8 @@ Particle somebody_at(Vec2 position) {
   p.heading = kHeading;
   p.facing = unit_from_angle(kHeading);
   p.speed = 0.4;
-  p.cov = {.xx = 0.02, .xy = 0.005, .xs = 0.003, .xk = 1e-5, .yy = 0.01, .ys = -0.002, .yk = -2e-5, .ss = 0.02, .kk = 1e-4};
+  p.cov = {.xx = 0.02, .xy = 0.005, .xs = 0.003, .xk = 1e-5,
+           .yy = 0.01, .ys = -0.002, .yk = -2e-5, .ss = 0.02, .kk = 1e-4};
   return p;
 }
 
@@ -109,8 +110,8 @@ TEST_F(TwinsTest, NothingThatTheBeltHearsTellsThemApartInAnEmptyRoom) {
   EXPECT_NEAR(twin.speed, found.speed, 1e-6);
 }
 
-/// Seconds that a wearer whose start nobody told, among furniture that no plan knows, is surely taken to be where they would
-/// be if their room were turned by half a turn.
+/// Seconds that a wearer whose start nobody told, among furniture that no plan knows, is surely taken to be where they
+/// would be if their room were turned by half a turn.
 double seconds_turned_about(const Building& building, std::uint64_t seed) {
   sim::RandomWalkOptions options;
   options.duration_s = 30.0;
@@ -126,7 +127,9 @@ double seconds_turned_about(const Building& building, std::uint64_t seed) {
     const auto& room = scene.room(e.room);
     const double to_twin = distance(e.pose.position, room.low + room.high - truth.pose.position);
     const bool turned = to_twin < 0.5 && distance(e.pose.position, truth.pose.position) > 1.0;
-    if (e.room == building.find_room(truth.room) && turned && e.state == TrackState::tracking) seconds += BeltConfig{}.slot_s;
+    if (e.room == building.find_room(truth.room) && turned && e.state == TrackState::tracking) {
+      seconds += BeltConfig{}.slot_s;
+    }
   });
   return seconds;
 }
@@ -136,7 +139,9 @@ TEST(Twins, AreNotTakenForTheWearersPlaceForLong) {
   const auto lab = load_building(ECHOWAY_MAPS_DIR "/torgersen-lab");
   ASSERT_TRUE(lab);
   double seconds = 0.0;
-  for (const std::uint64_t seed : {40079, 40096, 40136, 40191, 40227, 40234}) seconds += seconds_turned_about(*lab, 101 * seed + 7);
+  for (const std::uint64_t seed : {40079, 40096, 40136, 40191, 40227, 40234}) {
+    seconds += seconds_turned_about(*lab, 101 * seed + 7);
+  }
   EXPECT_LT(seconds, 55.0) << "twice as long when only what was found is believed, half as long with its twins";
 }
 
