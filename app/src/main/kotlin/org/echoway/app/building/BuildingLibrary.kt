@@ -39,12 +39,14 @@ class BuildingLibrary(private val bundled: Buildings, private val home: File, pr
     override suspend fun folder(id: String): File? = withContext(Dispatchers.IO) { own(id) } ?: bundled.folder(id)
 
     /**
-     * What the core would mend in the building that [find] finds, or why there is none to be found. Empty for one that
-     * is not there.
+     * What the core would mend in the building that [find] finds, or why there is none to be found: of the wearer's
+     * own, where they have one. Empty for one that is not there.
      */
     suspend fun check(id: String): List<Finding> = withContext(Dispatchers.IO) {
         val own = own(id)?.let(BuildingCheck::of)
-        val used = own?.takeIf { it.usable } ?: bundled.folder(id)?.let(BuildingCheck::of) ?: own
+        val used = own?.takeIf { it.usable }
+            ?: bundled.folder(id)?.let(BuildingCheck::of)?.takeIf { it.usable || own == null }
+            ?: own
         used?.findings.orEmpty().map { it.copy(file = File(it.file).name) }
     }
 

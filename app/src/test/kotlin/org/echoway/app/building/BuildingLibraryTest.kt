@@ -56,6 +56,18 @@ class BuildingLibraryTest {
         assertEquals(emptyList<FindingKind>(), library.check("torgersen-lab").map { it.kind })
     }
 
+    /** They can mend theirs, and nothing of the app. */
+    @Test fun whereNeitherCanBeUsedTheWearersOwnIsChecked() = runBlocking {
+        val broken = temporary.newFolder("broken")
+        val library = library("mine", bundled = object : Buildings by bundled {
+            override suspend fun folder(id: String) = broken
+        })
+        config("mine").appendText("\ndoor\n")
+        assertEquals(FindingKind.BAD_LINE, library.check("mine").first().kind)
+        library.delete("mine")
+        assertEquals(FindingKind.NO_ROOMS, library.check("mine").first().kind)
+    }
+
     /** What the check reads anyway. */
     @Test fun aCheckLoadsNoPlanBesides() = runBlocking {
         val library = library("mine", bundled = object : Buildings by bundled {
