@@ -186,6 +186,52 @@ TEST(Osm, ARoomOfTwoOutlinesIsThereTwice) {
   EXPECT_EQ(doors_of(plan, "0-twin-2"), 1U);
 }
 
+// As where the wall that two rooms share was drawn once, for both.
+TEST(Osm, AnOutlineAndAHoleMayEachBeDrawnInPieces) {
+  DrawnPlan drawn;
+  const std::vector<long> outline = drawn.ring({{0, 5}, {8, 5}, {8, 11}, {0, 11}});
+  const std::vector<long> hole = drawn.ring({{5, 7}, {7, 7}, {7, 9}, {5, 9}});
+  const long door = drawn.node({2, 11}, DrawnPlan::tag("door", "yes"));  // Its level is the room's.
+  const long south = drawn.way({outline[0], outline[1], outline[2]}, "");
+  const long north = drawn.way({outline[0], outline[3], door, outline[2]}, "");  // Away from where the other begins.
+  const long right = drawn.way({hole[0], hole[1], hole[2]}, "");
+  const long left = drawn.way({hole[2], hole[3], hole[0]}, "");
+  const long hall = drawn.relation(DrawnPlan::member(north, "outer") + DrawnPlan::member(left, "inner") +
+                                       DrawnPlan::member(south, "outer") + DrawnPlan::member(right, "inner"),
+                                   DrawnPlan::tag("type", "multipolygon") + DrawnPlan::room_tags("Hall"));
+  const ImportedPlan plan = drawn.import();
+  ASSERT_NE(plan.room("0-hall"), nullptr);
+  EXPECT_NEAR(floor_area(*plan.room("0-hall")), 8.0 * 6.0 - 2.0 * 2.0, 0.05);
+  EXPECT_THAT(plan.room("0-hall")->boundary, SizeIs(2));
+  EXPECT_THAT(plan.building.exits, SizeIs(2));
+  EXPECT_FALSE(plan.unresolved(DrawnPlan::id_of("relation", hall), ""));
+}
+
+TEST(Osm, PiecesThatDoNotCloseAreListedAndWhatDoesCloseIsARoom) {
+  DrawnPlan drawn;
+  const std::vector<long> ring = drawn.ring({{0, 5}, {6, 5}, {6, 9}, {0, 9}});
+  const long south = drawn.way({ring[0], ring[1], ring[2]}, "");
+  const long north = drawn.way({ring[2], ring[3], ring[0]}, "");
+  const long astray = drawn.way({ring[2], drawn.node({8, 9}), drawn.node({8, 7})}, "");
+  const long slit = drawn.way({drawn.node({1, 6}), drawn.node({2, 6}), drawn.node({2, 7})}, "");
+  const long other = drawn.way({drawn.node({3, 6}), drawn.node({4, 6})}, "");
+  const long gone = other - 1000;
+  const long room = drawn.relation(DrawnPlan::member(south, "outer") + DrawnPlan::member(astray, "outer") +
+                                       DrawnPlan::member(north, "outer") + DrawnPlan::member(south, "outer") +
+                                       DrawnPlan::member(slit, "inner") + DrawnPlan::member(other, "inner") +
+                                       DrawnPlan::member(gone, "outer"),
+                                   DrawnPlan::tag("type", "multipolygon") + DrawnPlan::room_tags("North"));
+  drawn.door({3, 5});
+  const ImportedPlan plan = drawn.import();
+  ASSERT_NE(plan.room("0-north"), nullptr);
+  EXPECT_NEAR(floor_area(*plan.room("0-north")), 24.0, 0.05);
+  const std::string id = DrawnPlan::id_of("relation", room);
+  EXPECT_TRUE(plan.unresolved(id, "an outline of way " + std::to_string(astray) + " does not close: left out"));
+  EXPECT_TRUE(plan.unresolved(id, "a hole of way " + std::to_string(slit) + " and 1 more does not close: left out"));
+  EXPECT_TRUE(plan.unresolved(id, "member " + std::to_string(gone) + " is no way of the file: left out"));
+  EXPECT_THAT(plan.report.items(), SizeIs(3));
+}
+
 // It would otherwise be gone without a word, or be a room by itself.
 TEST(Osm, AHoleOutsideItsOutlinesIsListed) {
   DrawnPlan drawn;

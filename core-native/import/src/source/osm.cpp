@@ -8,6 +8,7 @@
 #include "source/limits.hpp"
 #include "source/osm_document.hpp"
 #include "source/osm_levels.hpp"
+#include "source/osm_rings.hpp"
 #include "source/readers.hpp"
 #include "source/source_error.hpp"
 
@@ -95,9 +96,9 @@ class Reader {
 
   PlanLevel& level(double number) { return levels_[number]; }
 
-  Path path_of(const OsmWay& way, const Source& source) {
+  Path path_of(const std::vector<OsmId>& nodes, const Source& source) {
     Path path;
-    for (const OsmId ref : way.nodes) {
+    for (const OsmId ref : nodes) {
       const auto node = document_.nodes.find(ref);
       if (node == document_.nodes.end()) {
         report_.unresolved(source, "", {},
@@ -111,10 +112,10 @@ class Reader {
 
   static bool closed(const OsmWay& way) { return way.nodes.size() > 3 && way.nodes.front() == way.nodes.back(); }
 
-  // REQUIRES: a closed way. Its last node is its first.
-  Path ring_of(OsmWay way, const Source& source) {
-    way.nodes.pop_back();
-    return path_of(way, source);
+  // REQUIRES: the nodes of a closed way, of which the last is the first.
+  Path ring_of(std::vector<OsmId> nodes, const Source& source) {
+    nodes.pop_back();
+    return path_of(nodes, source);
   }
 
   void read_way(OsmId id, const OsmWay& way) {
@@ -122,16 +123,19 @@ class Reader {
     remember_building(way.tags);
     if (!is_indoor(way.tags)) return;
     if (closed(way)) {
-      place_area(way.tags, from, {{ring_of(way, from), {}}});
+      place_area(way.tags, from, {{ring_of(way.nodes, from), {}}});
     } else {
-      place_line(way.tags, from, path_of(way, from));
+      place_line(way.tags, from, path_of(way.nodes, from));
     }
     if (tag(way.tags, "indoor") == "room" || tag(way.tags, "indoor") == "wall" || has(way.tags, "level")) {
-      for (const OsmId ref : way.nodes) node_levels_[ref].merge(set_of(levels_of(way.tags, from)));
+      put_on_levels(way.nodes, levels_of(way.tags, from));
     }
   }
 
-  static std::set<double> set_of(const std::vector<double>& v) { return {v.begin(), v.end()}; }
+  // So that a door there need not say on which it is.
+  void put_on_levels(const std::vector<OsmId>& nodes, const std::vector<double>& levels) {
+    for (const OsmId ref : nodes) node_levels_[ref].insert(levels.begin(), levels.end());
+  }
 
   static bool is_indoor(const OsmTags& tags) {
     return has(tags, "indoor") || (has(tags, "level") && (has(tags, "highway") || has(tags, "stairs")));
@@ -146,23 +150,43 @@ class Reader {
     remember_building(relation.tags);
     if (tag(relation.tags, "type") != "multipolygon" || !is_indoor(relation.tags)) return;
     Area area;
-    std::vector<Path> holes;
-    for (const OsmMember& m : relation.members) {
-      const auto way = document_.ways.find(m.ref);
-      if (m.type != "way" || way == document_.ways.end() || !closed(way->second)) {
-        report_.unresolved(from, "", {}, "member " + std::to_string(m.ref) + " is no closed way: left out");
-        continue;
-      }
-      Path ring = ring_of(way->second, from);
-      if (m.role == "inner") {
-        holes.push_back(std::move(ring));
-      } else {
-        area.push_back({std::move(ring), {}});
-      }
-      for (const OsmId ref : way->second.nodes) node_levels_[ref].merge(set_of(levels_of(relation.tags, from)));
-    }
-    for (Path& hole : holes) put_into(area, std::move(hole));
+    for (Path& outline : rings_of(relation, false, from)) area.push_back({std::move(outline), {}});
+    for (Path& hole : rings_of(relation, true, from)) put_into(area, std::move(hole));
     place_area(relation.tags, from, area);
+  }
+
+  // Each once, though it be named twice.
+  std::vector<OsmId> member_ways(const OsmRelation& relation, bool holes, const Source& from) {
+    std::vector<OsmId> ids;
+    std::set<OsmId> seen;
+    for (const OsmMember& m : relation.members) {
+      if ((m.role == "inner") != holes) continue;
+      if (m.type != "way" || document_.ways.count(m.ref) == 0) {
+        report_.unresolved(from, "", {}, "member " + std::to_string(m.ref) + " is no way of the file: left out");
+      } else if (seen.insert(m.ref).second) {
+        ids.push_back(m.ref);
+      }
+    }
+    return ids;
+  }
+
+  std::vector<Path> rings_of(const OsmRelation& relation, bool holes, const Source& from) {
+    const std::vector<OsmId> ids = member_ways(relation, holes, from);
+    std::vector<std::vector<OsmId>> ways;
+    for (const OsmId id : ids) ways.push_back(document_.ways.at(id).nodes);
+    const OsmRings joined = join_into_rings(ways);
+    if (const std::size_t left = joined.left_over.size(); left > 0) {
+      const std::string way = std::to_string(ids[joined.left_over.front()]);
+      const std::string others = left > 1 ? " and " + std::to_string(left - 1) + " more" : "";
+      report_.unresolved(from, "", {},
+                         (holes ? "a hole" : "an outline") + (" of way " + way) + others + " does not close: left out");
+    }
+    std::vector<Path> paths;
+    for (const std::vector<OsmId>& ring : joined.rings) {
+      paths.push_back(path_of(ring, from));
+      put_on_levels(ring, levels_of(relation.tags, from));
+    }
+    return paths;
   }
 
   // Of several outlines, the hole is in the one that it lies in. One that lies in none is listed when the plan is
