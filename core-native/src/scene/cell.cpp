@@ -1,6 +1,7 @@
 #include "scene/cell.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -44,17 +45,20 @@ Arc directions(const Reflector& r, const Candidate& c, const Box& box) noexcept 
   const Vec2 centre = 0.5 * (box[0] + box[2]);
   const Segment goal = r.kind == ReflectorKind::mirrored_corner ? Segment{r.a, r.a} : c.feet;
   const Vec2 middle = 0.5 * (goal.a + goal.b);
-  const double reference = std::atan2(middle.y - centre.y, middle.x - centre.x);
-  double low = 0.0, high = 0.0;
+  const Vec2 reference = middle - centre;
+  // The outermost on either side; which is told without angles, as most are within a right angle of the reference.
+  Vec2 right{1.0, 0.0}, left{1.0, 0.0};   // Along the reference and aside.
   for (Vec2 corner : box) {
     for (Vec2 f : {goal.a, goal.b}) {
-      const double off = wrap_angle(std::atan2(f.y - corner.y, f.x - corner.x) - reference);
-      low = std::min(low, off);
-      high = std::max(high, off);
+      const Vec2 way{dot(reference, f - corner), cross(reference, f - corner)};
+      if (!(way.x > 0.0)) return {};
+      if (cross(right, way) < 0.0) right = way;
+      if (cross(left, way) > 0.0) left = way;
     }
   }
-  if (high - low > kPi) return {};
-  return {reference + low, high - low};
+  const double low = std::atan2(right.y, right.x);
+  const double high = std::atan2(left.y, left.x);
+  return {std::atan2(reference.y, reference.x) + low, high - low};
 }
 
 // Sectors whose directions come within `reach` of those of the arc, as a bit mask.
@@ -177,19 +181,24 @@ class CellCompiler {
             sectors_near(arc, std::max(limits_.cut_off_rad, rough))};
   }
 
+  // Entries keep their order within each sector.
   void list_sectors(Cell& cell) noexcept {
+    std::array<std::uint32_t, Cell::kSectors + 1>& begin = cell.sector_begin;
+    for (const CellScratch::Reach& reach : scratch_.reaches_) {
+      for (std::uint32_t left = reach.coarse; left != 0; left &= left - 1) ++begin[std::countr_zero(left) + 1U];
+    }
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
     std::vector<std::uint16_t>& items = scratch_.items_;
-    items.clear();
-    for (std::size_t s = 0; s < Cell::kSectors; ++s) {
-      cell.sector_begin[s] = static_cast<std::uint32_t>(items.size());
-      for (std::size_t i = 0; i < scratch_.reaches_.size(); ++i) {
-        const CellScratch::Reach& reach = scratch_.reaches_[i];
-        if ((reach.coarse >> s & 1U) == 0) continue;
+    items.resize(begin.back());
+    std::array<std::uint32_t, Cell::kSectors + 1> next = begin;
+    for (std::size_t i = 0; i < scratch_.reaches_.size(); ++i) {
+      const CellScratch::Reach& reach = scratch_.reaches_[i];
+      for (std::uint32_t left = reach.coarse; left != 0; left &= left - 1) {
+        const auto s = static_cast<std::size_t>(std::countr_zero(left));
         const bool sharp = (reach.sharp >> s & 1U) != 0;
-        items.push_back(static_cast<std::uint16_t>(i | (sharp ? 0U : Cell::kCoarseOnly)));
+        items[next[s]++] = static_cast<std::uint16_t>(i | (sharp ? 0U : Cell::kCoarseOnly));
       }
     }
-    cell.sector_begin[Cell::kSectors] = static_cast<std::uint32_t>(items.size());
   }
 
   const RoomScene& room_;
