@@ -114,6 +114,7 @@ class BayesLocator::Core {
   [[nodiscard]] bool is_doubted(const tracker::Particle& p) const;
   void judge_rivals(const tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait, const tracker::Shot& shot);
   [[nodiscard]] bool may_search() const;
+  [[nodiscard]] bool is_search_needless() const;
   void believe(tracker::Rival& rival);
   [[nodiscard]] std::uint64_t search_pause() const;
   [[nodiscard]] double handicap() const;

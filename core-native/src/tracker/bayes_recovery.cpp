@@ -25,6 +25,8 @@ constexpr int kCircles = 3;                          // Round about, nearby, eve
 constexpr double kRoundAbout = 3.0;                  // Metres.
 constexpr double kNearby = 12.0;
 constexpr double kHeadingStep = degrees(8.0);
+constexpr double kLogLeastGain = 3.0;                // What a coarse look finds about the belief's place, and
+constexpr double kLogLeastGainFar = 6.0;             // elsewhere, is dropped unless it does so much better than the belief.
 
 // Log odds that the belief is wrong and what was found instead is right, before its probation: a belief that still fits
 // somehow is seldom wrong by a little and hardly ever by much.
@@ -58,6 +60,10 @@ void BayesLocator::Core::pursue_search() {
       start_recovery();
     }
   }
+  if (is_search_needless()) {
+    search_.stop();
+    last_search_ = history_.end();
+  }
   if (!search_.running() || !search_.work(tools(), random_)) return;
   if (hearing_test_ == HearingTest::due) {
     conclude_first_search();
@@ -68,6 +74,11 @@ void BayesLocator::Core::pursue_search() {
   } else {
     challenge();
   }
+}
+
+// A belief that fits again is not searched against far and wide.
+bool BayesLocator::Core::is_search_needless() const {
+  return search_.running() && search_.domain().least_gain == kLogLeastGainFar && unconfirmed_ == 0 && !fit_.poor();
 }
 
 // While the belief explains the echoes one rival at a time is enough; one that does not is searched against all the while.
@@ -90,6 +101,7 @@ void BayesLocator::Core::start_recovery() {
     if (start_.room && searches_ == 0) domain.only_room = *start_.room;
     domain.level_heading = compass_at(begin);
     domain.reckoning = &reckoning_;
+    domain.least_gain = kLogLeastGainFar;
   } else {
     look_in_a_circle(domain, begin);
   }
@@ -116,6 +128,7 @@ void BayesLocator::Core::look_in_a_circle(SearchDomain& domain, std::uint64_t be
   domain.near_room = estimate_.room;
   domain.near_position = here.position;
   const int circle = fit_.poor() ? fruitless_ % kCircles : 0;
+  domain.least_gain = circle == 0 ? kLogLeastGain : kLogLeastGainFar;
   if (circle == 0) domain.within = kRoundAbout;
   if (circle == 1) domain.within = kNearby;
   if (circle == 0 && gyro_) domain.near_heading = turned_back(here.heading, begin);

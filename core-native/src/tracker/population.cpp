@@ -1,6 +1,7 @@
 #include "tracker/population.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "tracker/elementary.hpp"
@@ -23,13 +24,12 @@ std::uint64_t cell_key(const Particle& p) noexcept {
   return key == kFree ? 0 : key;
 }
 
+std::size_t slots_for(std::size_t particles) noexcept { return std::bit_ceil(std::max<std::size_t>(2 * particles, 64)); }
+
 }  // namespace
 
-Population::Population(std::size_t capacity) : particles_(capacity), scratch_(capacity) {
-  std::size_t slots = 64;
-  while (slots < 2 * capacity) slots *= 2;
-  table_.assign(slots, kFree);
-}
+Population::Population(std::size_t capacity)
+    : particles_(capacity), scratch_(capacity), table_(slots_for(capacity), kFree) {}
 
 void Population::push(const Particle& particle) noexcept {
   if (count_ < particles_.size()) particles_[count_++] = particle;
@@ -104,8 +104,9 @@ void Population::temper_modes(double share) noexcept {
 }
 
 std::size_t Population::occupied_cells() noexcept {
-  std::fill(table_.begin(), table_.end(), kFree);
-  const std::size_t mask = table_.size() - 1;
+  const std::size_t slots = slots_for(count_);   // Few particles need no large table.
+  std::fill_n(table_.begin(), slots, kFree);
+  const std::size_t mask = slots - 1;
   const double least = 0.05 / static_cast<double>(std::max<std::size_t>(count_, 1));
   std::size_t occupied = 0;
   for (const Particle& p : particles()) {

@@ -160,7 +160,7 @@ void Search::reckon(const SearchTools& tools) noexcept {
     way = way + dt * Vec2{mid.cos, mid.sin};
     turn = wrap_near(turn + turned);
     seconds += dt;
-    if (record.trust > 0.0) legs_[swept_++] = {way, turn + tools.belt.bearing(record.sensor), seconds, record.range, record.novelty, record.echo};
+    if (record.trust > 0.0) legs_[swept_++] = {way, turn + tools.belt.bearing(record.sensor), seconds, record.range, record.novelty, record.echo, record.log_main};
   }
 }
 
@@ -173,6 +173,21 @@ void Search::put_echoes_first() noexcept {
       if (in_order_of_time[i].echo == echo) legs_[at++] = in_order_of_time[i];
     }
   }
+}
+
+// What a search against a belief can find is worth nothing unless it does better than the belief: that runs as a candidate.
+void Search::enter_belief() noexcept {
+  if (!domain_.least_gain) return;
+  log_belief_ = 0.0;
+  for (std::size_t i = 0; i < swept_; ++i) {
+    log_belief_ += legs_[i].log_belief;
+    best_[i] = log_belief_;
+  }
+}
+
+bool Search::beats_belief() const noexcept {
+  const auto beats = [&](const Survivor& s) { return s.log_likelihood >= log_belief_ + *domain_.least_gain; };
+  return !domain_.least_gain || std::any_of(survivors_.begin(), survivors_.begin() + static_cast<std::ptrdiff_t>(count_), beats);
 }
 
 double Search::log_likelihood(const SearchTools& tools, const Leg& leg, const SinCos& facing, double heading) noexcept {
@@ -214,11 +229,17 @@ bool Search::work(const SearchTools& tools, Random& random) noexcept {
   if (swept_ == 0) {
     reckon(tools);
     put_echoes_first();
+    enter_belief();
   }
   while (phase_ == Phase::sweeping && spent < budget()) {
     Vec2 position;
     double heading = 0.0;
     if (!next_candidate(tools, position, heading)) {
+      if (!beats_belief()) {
+        phase_ = Phase::done;
+        log_evidence_ = kNowhere;
+        return true;
+      }
       draw_from_survivors(tools, random);   // Which fills the slice.
       phase_ = Phase::refining;
       return false;

@@ -24,6 +24,8 @@ struct SearchDomain {
   Vec2 near_position{};                       ///< In that room's frame.
   std::optional<double> within;               ///< Metres: look no farther from there, on any level,
   std::optional<double> near_heading;         ///< and, when set, only about this heading (that room's frame).
+  /// Log likelihood by which some place must do better in the sweep than the belief did; unset: there is no belief to beat.
+  std::optional<double> least_gain;
   bool thorough = false;                      ///< Places that no echo tells apart shall all be found.
   const DeadReckoning* reckoning = nullptr;   ///< When set, and known, places near where it leads are likelier than others.
   const LevelBelief* levels = nullptr;        ///< When set, places on levels where the wearer has been are likelier.
@@ -31,7 +33,7 @@ struct SearchDomain {
 
 /// Looks for the wearer over a whole building. First a sweep: a grid of positions and headings is replayed through a window
 /// of recent firings, each candidate a coarse particle that stands for its cell, dropped as soon as it falls hopelessly
-/// behind the best. Then a refinement: particles drawn from the survivors' cells are replayed up to the present with the
+/// behind the best, or behind the belief that it is to beat. Then a refinement: particles drawn from the survivors' cells are replayed up to the present with the
 /// beam as sharp as it is, and weighted by importance (Doucet et al. 2000, section 2). The work is cut into slices, so that
 /// one firing never costs more than its budget.
 class Search {
@@ -106,9 +108,12 @@ class Search {
     double range = 0.0;
     double novelty = 1.0;
     bool echo = false;
+    double log_belief = 0.0;             ///< What the belief made of it.
   };
   void reckon(const SearchTools& tools) noexcept;
   void put_echoes_first() noexcept;
+  void enter_belief() noexcept;
+  [[nodiscard]] bool beats_belief() const noexcept;
   [[nodiscard]] double log_likelihood(const SearchTools& tools, const Leg& leg, const SinCos& facing, double heading) noexcept;
   [[nodiscard]] std::size_t try_candidate(const SearchTools& tools, Vec2 position, double heading) noexcept;
   void keep(const Survivor& survivor) noexcept;
@@ -149,6 +154,7 @@ class Search {
   std::array<Leg, kMostSwept> legs_{};
   std::size_t swept_ = 0;
   std::array<double, kMostSwept> best_{};   ///< Log likelihood of the best candidate up to each leg.
+  double log_belief_ = 0.0;              ///< The belief's, of all legs.
   Panorama panorama_;
   std::size_t tried_ = 0;
   std::vector<Survivor> survivors_;      ///< A heap, the least likely on top, while sweeping.
