@@ -22,6 +22,7 @@ constexpr double kShareBetweenLevels = 0.5;       // Who is away shall be found 
 constexpr double kUnhurried = 0.6;                // m/s; who walks faster goes farther between two looks of a sensor.
 constexpr double kNarrow = 0.15;                  // Metres: a place known so well takes the fewest particles,
 constexpr double kMostNeeded = 2.5;               // another one so many times as many at most.
+constexpr std::size_t kDoubtParticles = 100;      // More than the tracking number, at least, as the fit grows doubtful.
 constexpr std::uint64_t kSilence = 32;             // Firings without an echo after which
 constexpr std::size_t kDeafParticles = 400;       // more particles would learn no more.
 constexpr std::size_t kAwayParticles = 800;       // Few of them arrive at the right moment and facing the right way.
@@ -219,7 +220,8 @@ void BayesLocator::Core::thin_out(Population& population) {
   std::size_t target = settled;
   if (away_ > kPerhapsAway) target = std::max(target, kAwayParticles);
   if (cells > kSettledCells) target = std::max(target, kParticlesPerCell * cells);
-  target = std::max(target, static_cast<std::size_t>(fit_.doubt() * static_cast<double>(settled)));
+  const std::size_t more_in_doubt = std::max(settled, kDoubtParticles);
+  target = std::max(target, settled + static_cast<std::size_t>((fit_.doubt() - 1.0) * static_cast<double>(more_in_doubt)));
   const bool silent = echoes_since(history_.end() - std::min(history_.end(), kSilence)) == 0;
   if (silent && away_ <= kPerhapsAway) target = std::min(target, kDeafParticles);
   target = std::min(target, population.capacity());
@@ -253,6 +255,7 @@ void BayesLocator::Core::conclude(double time_s) {
     levels_.observe(main_.particles(), links_, history_.end() == 0 ? 0.0 : history_.back().interval.seconds);
   }
   estimate_.state = state();
+  poor_for_ = fit_.poor() ? poor_for_ + 1 : 0;
   explained_ = fit_.doubtful() || unconfirmed_ > 0 ? 0 : explained_ + 1;
   if (explained_ > kConfirmed) fruitless_ = 0;
   reckon_from_here();

@@ -170,6 +170,7 @@ class BayesLocator::Core {
   double log_scale_ = 0.0;
   double log_scale_sigma_ = 0.0;
   int fruitless_ = 0;               ///< Searches since a place was last taken for granted, each wider than the one before.
+  int poor_for_ = 0;                ///< Firings in a row for which the belief has fitted badly.
   int explained_ = 0;               ///< Firings in a row that a place taken for granted has explained well.
   int unconfirmed_ = 0;             ///< Firings that a place which a search found must yet explain to be taken for granted.
   std::uint64_t searches_ = 0;      ///< Recovery searches so far.

@@ -24,6 +24,7 @@ constexpr double kSomewhere = 0.1;                   // Probability of the likel
 constexpr int kCircles = 3;                          // Round about, nearby, everywhere.
 constexpr double kRoundAbout = 3.0;                  // Metres.
 constexpr double kNearby = 12.0;
+constexpr int kPoorForFar = 16;                      // Firings for which a belief has fitted badly when far places are tried.
 constexpr double kHeadingStep = degrees(8.0);
 constexpr double kLogLeastGain = 3.0;                // What a coarse look finds about the belief's place, and
 constexpr double kLogLeastGainFar = 6.0;             // elsewhere, is dropped unless it does so much better than the belief.
@@ -104,6 +105,7 @@ void BayesLocator::Core::start_recovery() {
     domain.least_gain = kLogLeastGainFar;
   } else {
     look_in_a_circle(domain, begin);
+    if (domain.least_gain == kLogLeastGainFar && poor_for_ < kPoorForFar) return;
   }
   search_.start(domain, begin, now);
 }

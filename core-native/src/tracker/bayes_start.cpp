@@ -33,6 +33,13 @@ MotionParameters motion_parameters(const TrackerParts& parts) {
   return p;
 }
 
+// A place that is kept in mind takes no more than the one that is tracked.
+Modes::Parameters mode_parameters(const BayesOptions& options) {
+  Modes::Parameters p;
+  p.fewest = std::min(p.fewest, static_cast<std::size_t>(std::max(options.particles, 1)));
+  return p;
+}
+
 }  // namespace
 
 BayesLocator::Core::Core(const Building& building, const BeltConfig& belt, const Start& start, const BayesOptions& options)
@@ -47,7 +54,7 @@ BayesLocator::Core::Core(const Building& building, const BeltConfig& belt, const
       motion_(motion_parameters(options.parts)),
       random_(options.seed),
       main_(kCapacity),
-      modes_(kCapacity, Modes::Parameters{}),
+      modes_(kCapacity, mode_parameters(options)),
       rivals_(kMostRivals, kRivalCapacity),
       search_(scene_, Search::Parameters{}),
       health_(belt.sensors),
