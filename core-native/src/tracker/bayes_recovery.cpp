@@ -79,7 +79,7 @@ void BayesLocator::Core::pursue_search() {
 
 // A belief that fits again is not searched against far and wide.
 bool BayesLocator::Core::is_search_needless() const {
-  return search_.running() && search_.domain().least_gain == kLogLeastGainFar && unconfirmed_ == 0 && !fit_.poor();
+  return search_.running() && search_.domain().least_gain == kLogLeastGainFar && !fit_.poor();
 }
 
 // While the belief explains the echoes one rival at a time is enough; one that does not is searched against all the while.
@@ -102,7 +102,6 @@ void BayesLocator::Core::start_recovery() {
     if (start_.room && searches_ == 0) domain.only_room = *start_.room;
     domain.level_heading = compass_at(begin);
     domain.reckoning = &reckoning_;
-    domain.least_gain = kLogLeastGainFar;
   } else {
     look_in_a_circle(domain, begin);
     if (domain.least_gain == kLogLeastGainFar && poor_for_ < kPoorForFar) return;
