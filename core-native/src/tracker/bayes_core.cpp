@@ -15,22 +15,22 @@ namespace {
 constexpr std::size_t kParticlesPerCell = 14;     // While several places are possible.
 constexpr std::size_t kSettledCells = 10;         // A belief this narrow takes the tracking number of particles.
 constexpr double kStairwellShare = 0.80;          // Or neither: it is not known what answers there.
-constexpr double kShareBetween = 0.15;            // Of the evidence between places that lie apart: what stands in no plan speaks
-                                                  // for one of two alike as long as it is heard. Without a gyroscope every
-constexpr double kShareBetweenBlind = 0.5;        // turn that a particle tries makes a place, and must be over soon.
+constexpr double kShareBetween = 0.15;            // Of the evidence between places that lie apart: what is in no plan
+                                                  // speaks for one of two alike as long as it is heard. Without a
+constexpr double kShareBetweenBlind = 0.5;        // gyroscope every turn tried makes a place, and must be over soon.
 constexpr double kShareBetweenLevels = 0.5;       // Who is away shall be found soon after they have arrived.
 constexpr double kUnhurried = 0.6;                // m/s; who walks faster goes farther between two looks of a sensor.
 constexpr double kNarrow = 0.15;                  // Metres: a place known so well takes the fewest particles,
 constexpr double kMostNeeded = 2.5;               // another one so many times as many at most.
 constexpr std::size_t kDoubtParticles = 80;       // More than the tracking number, at least, as the fit grows doubtful.
-constexpr std::uint64_t kSilence = 32;             // Firings without an echo after which
+constexpr std::uint64_t kSilence = 32;            // Firings without an echo after which
 constexpr std::size_t kDeafParticles = 400;       // more particles would learn no more.
 constexpr std::size_t kAwayParticles = 800;       // Few of them arrive at the right moment and facing the right way.
 constexpr double kLongestInterval = 3.0;          // Seconds that are still walked through; longer ones are a break.
 constexpr double kTemperatureSigma = 0.006;       // ln of speed: 3.5 K, a thermometer against the body.
 constexpr double kPlanExplains = 0.52;
 constexpr double kShareGain = 1.0 / 24.0;
-constexpr double kCoatRange = 0.5;                // Metres: two passes of echoes from no farther come from what covers the belt.
+constexpr double kCoatRange = 0.5;                // Metres: two passes of nearer echoes come from what covers the belt.
 constexpr double kSurelyUnmapped = 0.6;
 constexpr double kSureEnough = 0.35;              // Metres.
 constexpr double kBeyondArms = 0.40;              // Metres.
@@ -57,12 +57,15 @@ void BayesLocator::Core::on_temperature(double celsius) {
     return;
   }
   for (Particle& p : main_.particles()) {
-    if (p.cov.kk > kTemperatureSigma * kTemperatureSigma) observe_log_scale(p, log_scale, kTemperatureSigma * kTemperatureSigma);
+    if (p.cov.kk > kTemperatureSigma * kTemperatureSigma) {
+      observe_log_scale(p, log_scale, kTemperatureSigma * kTemperatureSigma);
+    }
   }
 }
 
 bool BayesLocator::Core::on_firing(const Firing& firing) {
-  if (firing.sensor < 0 || firing.sensor >= belt_.sensors || !std::isfinite(firing.time_s) || std::isnan(firing.range_m)) return false;
+  if (firing.sensor < 0 || firing.sensor >= belt_.sensors) return false;
+  if (!std::isfinite(firing.time_s) || std::isnan(firing.range_m)) return false;
   double seconds = 0.0;
   if (!tell_time(firing.time_s, seconds)) return false;
   history_.push(take_down(firing, seconds));
@@ -125,7 +128,9 @@ Shot BayesLocator::Core::aim(const Record& record) const {
 void BayesLocator::Core::track(Record& record, const HintIntegrator::GaitEvidence& gait) {
   Shot shot = aim(record);
   const bool tracked = record.echo && estimate_.state == TrackState::tracking;
-  if (record.echo && options_.parts.repeats) shot.repeats = repeats_.match(belt_, record.sensor, record.range, last_time_);
+  if (record.echo && options_.parts.repeats) {
+    shot.repeats = repeats_.match(belt_, record.sensor, record.range, last_time_);
+  }
   Shot remembering = shot;
   // A lost tracker would explain everything by furniture: memory serves only while the plan explains most echoes.
   if (tracked && options_.parts.memory && mapped_share_ > kPlanExplains) remembering.spots = recall(shot);
@@ -182,8 +187,8 @@ double BayesLocator::Core::mapped_share_of(const Particle& p, Shot shot) {
   return assimilate(untouched, shot, *model_, scene_).mapped;
 }
 
-// On stairs the walls of the stairwell still stand beside the wearer, as far as anybody can tell; in an elevator nothing in
-// the plan does.
+// On stairs the walls of the stairwell still stand beside the wearer, as far as anybody can tell; in an
+// elevator nothing in the plan does.
 double BayesLocator::Core::density_away(Particle& p, const Shot& shot, double anywhere) {
   if (shot.trust <= 0.0) return anywhere;
   if (!links_.on_stairs(p)) return in_cabin(shot);
@@ -195,7 +200,8 @@ double BayesLocator::Core::density_away(Particle& p, const Shot& shot, double an
 
 std::span<const Spot> BayesLocator::Core::recall(const Shot& shot) {
   const Vec2 axis = unit_from_angle(estimate_.pose.heading + shot.bearing_rad);
-  return memory_.recall(estimate_.room, estimate_.pose.position + shot.radius * axis, axis, shot.range * estimate_.sound_speed_scale);
+  const double range = shot.range * estimate_.sound_speed_scale;
+  return memory_.recall(estimate_.room, estimate_.pose.position + shot.radius * axis, axis, range);
 }
 
 // What answered though the plan has nothing there is remembered where the wearer's place is well known.
@@ -211,7 +217,8 @@ void BayesLocator::Core::remember(const Record& record) {
 // The belief keeps every place that is possible; a rival stands for one.
 void BayesLocator::Core::thin_out(Population& population) {
   const double need = std::clamp(std::max(pace_ / kUnhurried, estimate_.sigma_m / kNarrow), 1.0, kMostNeeded);
-  const auto settled = static_cast<std::size_t>(gyro_ ? need * options_.particles : options_.particles_without_gyroscope);
+  const auto settled =
+      static_cast<std::size_t>(gyro_ ? need * options_.particles : options_.particles_without_gyroscope);
   const std::size_t size = population.main_size();
   const bool shrink = size > settled + settled / 4;
   const bool worn = population.least_effective_share() <= 0.5;
@@ -221,7 +228,8 @@ void BayesLocator::Core::thin_out(Population& population) {
   if (away_ > kPerhapsAway) target = std::max(target, kAwayParticles);
   if (cells > kSettledCells) target = std::max(target, kParticlesPerCell * cells);
   const std::size_t more_in_doubt = std::max(settled, kDoubtParticles);
-  target = std::max(target, settled + static_cast<std::size_t>((fit_.doubt() - 1.0) * static_cast<double>(more_in_doubt)));
+  const double more = (fit_.doubt() - 1.0) * static_cast<double>(more_in_doubt);
+  target = std::max(target, settled + static_cast<std::size_t>(more));
   const bool silent = echoes_since(history_.end() - std::min(history_.end(), kSilence)) == 0;
   if (silent && away_ <= kPerhapsAway) target = std::min(target, kDeafParticles);
   target = std::min(target, population.capacity());
@@ -259,7 +267,9 @@ void BayesLocator::Core::conclude(double time_s) {
   explained_ = fit_.doubtful() || unconfirmed_ > 0 ? 0 : explained_ + 1;
   if (explained_ > kConfirmed) fruitless_ = 0;
   reckon_from_here();
-  if (unconfirmed_ > 0) unconfirmed_ = fit_.doubtful() ? kConfirmed : unconfirmed_ - (estimate_.state == TrackState::tracking);
+  if (unconfirmed_ > 0) {
+    unconfirmed_ = fit_.doubtful() ? kConfirmed : unconfirmed_ - (estimate_.state == TrackState::tracking);
+  }
 }
 
 void BayesLocator::Core::see_who_is_away() {

@@ -24,9 +24,9 @@
 
 namespace echoway {
 
-/// The tracker's parts and how they play together. Starting is in bayes_start.cpp, a firing's way in bayes_core.cpp, what is
-/// learnt of the wearer's movement in bayes_motion.cpp, how far the belt hears in bayes_hearing.cpp, searching and recovering in
-/// bayes_recovery.cpp, doubting a place in bayes_doubt.cpp.
+/// The tracker's parts and how they play together. Starting is in bayes_start.cpp, a firing's way in bayes_core.cpp,
+/// what is learnt of the wearer's movement in bayes_motion.cpp, how far the belt hears in bayes_hearing.cpp, searching
+/// and recovering in bayes_recovery.cpp, doubting a place in bayes_doubt.cpp.
 class BayesLocator::Core {
  public:
   Core(const Building& building, const BeltConfig& belt, const Start& start, const BayesOptions& options);
@@ -112,7 +112,8 @@ class BayesLocator::Core {
   void conclude_doubt();
   [[nodiscard]] std::optional<LevelTransition> link_to_take() const;
   [[nodiscard]] bool is_doubted(const tracker::Particle& p) const;
-  void judge_rivals(const tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait, const tracker::Shot& shot);
+  void judge_rivals(const tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait,
+                    const tracker::Shot& shot);
   [[nodiscard]] bool may_search() const;
   [[nodiscard]] bool is_search_needless() const;
   void believe(tracker::Rival& rival);
@@ -133,7 +134,7 @@ class BayesLocator::Core {
   double log_first_ = 0.0;                     ///< Log evidence, with the prior odds, of what the first model found
   std::uint64_t first_until_ = 0;              ///< by the firings before this one.
   enum class Doubt { none, due, running } doubt_ = Doubt::none;   ///< Raised by who leads the wearer.
-  std::optional<LevelTransition> doubted_link_;                   ///< The wearer finds none where they were told to take it.
+  std::optional<LevelTransition> doubted_link_;                   ///< The wearer finds none where they were to take it.
   mutable scene::Scene scene_;
   tracker::MotionParameters motion_;
   Random random_;
@@ -169,10 +170,10 @@ class BayesLocator::Core {
   double step_firings_ = 0.0;       ///< Firings that it was learnt from, kMostFirings at most.
   double log_scale_ = 0.0;
   double log_scale_sigma_ = 0.0;
-  int fruitless_ = 0;               ///< Searches since a place was last taken for granted, each wider than the one before.
+  int fruitless_ = 0;               ///< Searches since a place was taken for granted, each wider than the one before.
   int poor_for_ = 0;                ///< Firings in a row for which the belief has fitted badly.
   int explained_ = 0;               ///< Firings in a row that a place taken for granted has explained well.
-  int unconfirmed_ = 0;             ///< Firings that a place which a search found must yet explain to be taken for granted.
+  int unconfirmed_ = 0;             ///< Firings that a place which was found must yet explain to be taken for granted.
   std::uint64_t searches_ = 0;      ///< Recovery searches so far.
   std::uint64_t last_search_ = 0;   ///< End of the history when it ended; 0: none yet.
 

@@ -15,7 +15,7 @@ constexpr double kLeastHere = 0.2;                   // What a search, which is 
 constexpr double kDoubtedOdds = 0.5;                 // Of the place that is doubted,
 constexpr double kDoubted = 1.0;                     // which reaches so many metres
 constexpr double kDoubtedTurn = degrees(60.0);       // and so far round.
-constexpr double kLinkOdds = 0.05;                   // The same of the stairs that were to be taken: who finds none is not there.
+constexpr double kLinkOdds = 0.05;                   // The same of stairs to be taken: who finds none is not there.
 
 }  // namespace
 
@@ -52,7 +52,7 @@ void BayesLocator::Core::land_all() {
   fit_.reset();
 }
 
-// Other places that explain the echoes are believed beside the one that is doubted, as far as the echoes speak for them.
+// Other places that explain the echoes are believed beside the doubted one, as far as the echoes speak for them.
 void BayesLocator::Core::conclude_doubt() {
   doubt_ = Doubt::none;
   last_search_ = history_.end();

@@ -1,5 +1,5 @@
-// Whether the belt hears what is far. Sensors that are weak, or worn under a coat, hear what is near and nothing else: their
-// silence says little.
+// Whether the belt hears what is far. Sensors that are weak, or worn under a coat, hear what is near and nothing
+// else: their silence says little.
 
 #include "tracker/bayes_core.hpp"
 
@@ -11,28 +11,30 @@ namespace {
 
 constexpr double kLogHardOfHearing = -3.0;   // That a belt hears nothing from afar.
 constexpr int kFarEchoes = 2;                // One may be a ghost.
-constexpr double kNearRange = 1.5;           // Metres: a belt that hears something from beyond does not hear only what is near.
+constexpr double kNearRange = 1.5;           // Metres: a belt that hears from beyond does not hear only what is near.
 constexpr double kSmallArea = 40.0;          // Square metres that a search looks through within a second.
 
 }  // namespace
 
 int BayesLocator::Core::echoes_beyond(double range) const {
   int far = 0;
-  for (std::uint64_t n = history_.begin(); n < history_.end(); ++n) far += history_[n].echo && history_[n].range > range;
+  for (std::uint64_t n = history_.begin(); n < history_.end(); ++n) {
+    far += history_[n].echo && history_[n].range > range;
+  }
   return far;
 }
 
 bool BayesLocator::Core::hears_far() const { return echoes_beyond(kHardOfHearingRange) >= kFarEchoes; }
 
-// Whether the first search is made for a belt of weak sensors first. In a large place that would keep those with a good belt,
-// who are more, waiting.
+// Whether the first search is made for a belt of weak sensors first. In a large place that would keep those with a
+// good belt, who are more, waiting.
 bool BayesLocator::Core::seems_hard_of_hearing(RoomIndex only_room) const {
   const double area = only_room == kNoRoom ? search_.area() : scene_.room(only_room).box_area();
   return area < kSmallArea && echoes_beyond(kNearRange) == 0;
 }
 
-// A belt that was taken for one of weak sensors shows what it is by hearing from afar; a first search made for such a belt
-// begins anew. Any other search under way weighs all places alike.
+// A belt that was taken for one of weak sensors shows what it is by hearing from afar; a first search made for such a
+// belt begins anew. Any other search under way weighs all places alike.
 void BayesLocator::Core::choose_model(const Record& record) {
   const bool from_afar = record.echo && record.range > kHardOfHearingRange;
   const bool stays = model_ == &deafened_ ? !(from_afar && hears_far()) : search_.running();
@@ -42,8 +44,8 @@ void BayesLocator::Core::choose_model(const Record& record) {
   if (main_.empty() && search_.running()) start_first_search();
 }
 
-// If nothing at all was heard from afar, the first search is made again for a belt that hears better, or worse, than was
-// taken for granted. What the first one found is followed meanwhile.
+// If nothing at all was heard from afar, the first search is made again for a belt that hears better, or worse, than
+// was taken for granted. What the first one found is followed meanwhile.
 void BayesLocator::Core::conclude_first_search() {
   const bool deafened = model_ == &deafened_;
   search_.take(main_, tools(), random_);

@@ -4,7 +4,8 @@
 
 namespace echoway {
 
-BayesLocator::BayesLocator(const Building& building, const BeltConfig& belt, const Start& start, const BayesOptions& options)
+BayesLocator::BayesLocator(const Building& building, const BeltConfig& belt, const Start& start,
+                           const BayesOptions& options)
     : core_(std::make_unique<Core>(building, belt, start, options)) {}
 BayesLocator::~BayesLocator() = default;
 

@@ -56,7 +56,8 @@ void BayesLocator::Core::learn_pace(double time_s) {
 void BayesLocator::Core::learn_step_length(double metres) {
   if (fit_.doubtful() || !(estimate_.sigma_m < kSharpSteps)) return;
   step_firings_ = std::min(step_firings_ + 1.0, kMostFirings);
-  step_length_ += (std::clamp(metres, kShortestStep, kLongestStep) - step_length_) / std::max(step_firings_, kQuickFirings);
+  const double step = std::clamp(metres, kShortestStep, kLongestStep);
+  step_length_ += (step - step_length_) / std::max(step_firings_, kQuickFirings);
 }
 
 // Steps and turns count from where the place is known well, which is given up at the first doubt.

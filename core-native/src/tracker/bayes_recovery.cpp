@@ -14,20 +14,20 @@ constexpr std::uint64_t kBlindRecoveryWindow = 20;   // The same without a gyros
 constexpr std::uint64_t kSearchPause = 48;           // Firings between searches,
 constexpr int kMostDoublings = 3;                    // doubled so often at most while they find nothing;
 constexpr std::uint64_t kPoorPause = 16;             // against a belief that does not fit, doubled after all circles,
-constexpr std::uint64_t kBlindPoorPause = 8;         // and never so without a gyroscope, which a wrong belief could lean on,
+constexpr std::uint64_t kBlindPoorPause = 8;         // never so without a gyroscope for a wrong belief to lean on,
 constexpr std::uint64_t kUnconfirmedPause = 24;      // while no place has proved itself yet,
 constexpr std::uint64_t kBlindUnconfirmedPause = 32; // and both.
-constexpr int kSecondOpinions = 3;                   // Searches in vain after which a place that looks right is left to prove itself.
-constexpr double kSomewhere = 0.1;                   // Probability of the likeliest place from which on there is something to doubt.
+constexpr int kSecondOpinions = 3;                   // Searches in vain until what looks right is left to prove itself.
+constexpr double kSomewhere = 0.1;                   // Probability of the likeliest place from which it can be doubted.
 
 // In widening circles: a tracker that lost its hold is most often not far off.
 constexpr int kCircles = 3;                          // Round about, nearby, everywhere.
 constexpr double kRoundAbout = 3.0;                  // Metres.
 constexpr double kNearby = 12.0;
-constexpr int kPoorForFar = 16;                      // Firings for which a belief has fitted badly when far places are tried.
+constexpr int kPoorForFar = 16;                      // Firings that a belief fits badly before far places are tried.
 constexpr double kHeadingStep = degrees(8.0);
 constexpr double kLogLeastGain = 3.0;                // What a coarse look finds about the belief's place, and
-constexpr double kLogLeastGainFar = 6.0;             // elsewhere, is dropped unless it does so much better than the belief.
+constexpr double kLogLeastGainFar = 6.0;             // elsewhere, is dropped unless so much better than the belief.
 
 // Log odds that the belief is wrong and what was found instead is right, before its probation: a belief that still fits
 // somehow is seldom wrong by a little and hardly ever by much.
@@ -35,7 +35,7 @@ constexpr double kLogNear = -7.0;
 constexpr double kLogNearBlind = -12.0;              // Without a gyroscope it may also be turned round.
 constexpr double kLogNearWhenPoor = -3.0;
 constexpr double kLogFarWhenPoor = -20.0;            // Halls repeat themselves: a few metres on, much is the same.
-constexpr double kLogUnconfirmed = -5.0;             // The same while a place that a search found has not proved itself.
+constexpr double kLogUnconfirmed = -5.0;             // The same while a place that was found has not proved itself.
 constexpr double kLogUnconfirmedWhenPoor = -2.0;
 constexpr double kLogReturn = -7.0;                  // Of the old belief, once it is given up.
 // And on the firings that chose it: what does worse than this is not worth a probation.
@@ -47,7 +47,8 @@ constexpr double kLogFoundFar = -1.0;
 
 SearchTools BayesLocator::Core::tools() const {
   const EchoModel& model = hearing_test_ == HearingTest::running ? *other_model_ : *model_;
-  return {model,     scene_, motion_, belt_, history_, building_, log_scale_, std::max(log_scale_sigma_, kLeastScaleSigma),
+  return {model, scene_, motion_, belt_, history_, building_,
+          log_scale_, std::max(log_scale_sigma_, kLeastScaleSigma),
           main_.empty() ? 0.0 : summary_.gyro_bias, pace_};
 }
 
@@ -82,7 +83,7 @@ bool BayesLocator::Core::is_search_needless() const {
   return search_.running() && search_.domain().least_gain == kLogLeastGainFar && !fit_.poor();
 }
 
-// While the belief explains the echoes one rival at a time is enough; one that does not is searched against all the while.
+// While the belief explains the echoes one rival at a time is enough; else it is searched against all the while.
 bool BayesLocator::Core::may_search() const {
   return rivals_.none() || (unconfirmed_ > 0 ? fit_.doubtful() : fit_.poor());
 }
@@ -135,7 +136,7 @@ void BayesLocator::Core::look_in_a_circle(SearchDomain& domain, std::uint64_t be
   if (circle == 0 && gyro_) domain.near_heading = turned_back(here.heading, begin);
 }
 
-// Where a belief that fits no longer should be, in the estimate's room's frame: by steps and turns, if they were counted.
+// Where a belief that fits no longer should be, in the estimate's room's frame: by steps and turns, if counted.
 Pose2 BayesLocator::Core::likely_pose() const {
   const Room& room = building_.room(estimate_.room);
   if (!reckoning_.known() || reckoning_.at().level != room.level) return estimate_.pose;
@@ -144,7 +145,9 @@ Pose2 BayesLocator::Core::likely_pose() const {
 
 // A heading of now at an earlier firing, by the gyroscope: a search begins where its window does.
 double BayesLocator::Core::turned_back(double heading, std::uint64_t firing) const {
-  for (std::uint64_t n = firing + 1; n < history_.end(); ++n) heading -= history_[n].interval.turn_without(summary_.gyro_bias);
+  for (std::uint64_t n = firing + 1; n < history_.end(); ++n) {
+    heading -= history_[n].interval.turn_without(summary_.gyro_bias);
+  }
   return wrap_angle(heading);
 }
 
@@ -160,7 +163,7 @@ std::optional<double> BayesLocator::Core::compass_at(std::uint64_t firing) const
   return wrap_angle(*compass_ + (firing > compass_said_ ? turned : -turned));
 }
 
-// Added to `log`: what the belief made of the firings since `begin`, each counted as a search from `first` on counts it.
+// Added to `log`: what the belief made of the firings since `begin`, each counted as by a search from `first` on.
 double BayesLocator::Core::log_belief(std::uint64_t begin, std::uint64_t first, double log) const {
   for (std::uint64_t n = begin; n < history_.end(); ++n) log += share_of(n, first, belt_) * history_[n].log_main;
   return log;
@@ -169,7 +172,8 @@ double BayesLocator::Core::log_belief(std::uint64_t begin, std::uint64_t first, 
 // What the search found may become a rival of the belief.
 void BayesLocator::Core::challenge() {
   const std::uint64_t first = search_.window_begin();
-  const double odds = search_.log_evidence() - log_belief(first, first) + (search_.is_local() ? kLogFoundNear : kLogFoundFar);
+  const double prior = search_.is_local() ? kLogFoundNear : kLogFoundFar;
+  const double odds = search_.log_evidence() - log_belief(first, first) + prior;
   const double log_odds = std::min(odds, handicap());
   last_search_ = history_.end();
   ++searches_;
@@ -190,7 +194,7 @@ double BayesLocator::Core::handicap() const {
   return fruitless_ % kCircles == 0 ? kLogNearWhenPoor : kLogFarWhenPoor;
 }
 
-// Searching again and again what has just been searched in vain costs time and, sooner or later, finds something by chance.
+// Searching again and again what has just been searched in vain costs time and, in the end, finds something by chance.
 std::uint64_t BayesLocator::Core::search_pause() const {
   if (fruitless_ == 0 && last_search_ == 0) return 0;
   if (unconfirmed_ > 0) return gyro_ ? kUnconfirmedPause : kBlindUnconfirmedPause;
@@ -198,7 +202,8 @@ std::uint64_t BayesLocator::Core::search_pause() const {
   return gyro_ ? kPoorPause << std::min(fruitless_ / kCircles, kMostDoublings) : kBlindPoorPause;
 }
 
-void BayesLocator::Core::judge_rivals(const Record& record, const HintIntegrator::GaitEvidence& gait, const Shot& shot) {
+void BayesLocator::Core::judge_rivals(const Record& record, const HintIntegrator::GaitEvidence& gait,
+                                      const Shot& shot) {
   for (Rival& rival : rivals_) {
     if (!rival.present()) continue;
     const double log_rival = record.novelty * update(rival.population(), record, gait, shot).log_plan;
@@ -216,8 +221,8 @@ void BayesLocator::Core::judge_rivals(const Record& record, const HintIntegrator
   }
 }
 
-// Who was lost and is found anew may be lost again: what replaces a belief that fitted no longer must prove itself as what
-// the first search found; until it has, everywhere is searched.
+// Who was lost and is found anew may be lost again: what replaces a belief that fitted no longer must prove itself as
+// what the first search found; until it has, everywhere is searched.
 void BayesLocator::Core::believe(Rival& rival) {
   main_.swap(rival.population());
   rivals_.dismiss_others(rival);

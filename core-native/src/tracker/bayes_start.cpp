@@ -42,7 +42,8 @@ Modes::Parameters mode_parameters(const BayesOptions& options) {
 
 }  // namespace
 
-BayesLocator::Core::Core(const Building& building, const BeltConfig& belt, const Start& start, const BayesOptions& options)
+BayesLocator::Core::Core(const Building& building, const BeltConfig& belt, const Start& start,
+                         const BayesOptions& options)
     : building_(building),
       belt_(belt),
       start_(start),
@@ -88,7 +89,8 @@ void BayesLocator::Core::place_known(const Pose2& pose, RoomIndex room, bool hea
     p.room = room;
     p.position = pose.position;
     const double share = (static_cast<double>(i) + random_.uniform()) / static_cast<double>(count);
-    p.heading = heading_known ? wrap_near(pose.heading + kStartHeadingSigma * cheap_normal(random_)) : kTwoPi * share - kPi;
+    p.heading = kTwoPi * share - kPi;
+    if (heading_known) p.heading = wrap_near(pose.heading + kStartHeadingSigma * cheap_normal(random_));
     const SinCos f = fast_sincos(p.heading);
     p.facing = {f.cos, f.sin};
     const bool walks = i % 2 == 0;

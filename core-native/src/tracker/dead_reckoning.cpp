@@ -33,7 +33,8 @@ double DeadReckoning::log_prior(const Placed& place, double area) const noexcept
   if (place.level == at_.level) {
     const double variance = kPlaceSigma * kPlaceSigma + kWaySigma * kWaySigma * way_ * way_;
     const double off = wrap_near(place.heading - at_.heading) / kHeadingSigma;
-    const double position = area / (kTwoPi * variance) * fast_exp(-0.5 * squared_norm(place.position - at_.position) / variance);
+    const double apart2 = squared_norm(place.position - at_.position);
+    const double position = area / (kTwoPi * variance) * fast_exp(-0.5 * apart2 / variance);
     const double heading = kTwoPi * kInvSqrtTwoPi / kHeadingSigma * fast_exp(-0.5 * off * off);
     density = position * heading;
   }

@@ -40,7 +40,9 @@ void EchoMemory::note(RoomIndex room, Vec2 at, double chance, double time_s) noe
       best2 = d2;
       nearest = &s;
     }
-    if (s.strength < weakest->strength || (s.strength == weakest->strength && s.last_seen_s < weakest->last_seen_s)) weakest = &s;
+    const bool weaker = s.strength < weakest->strength ||
+                        (s.strength == weakest->strength && s.last_seen_s < weakest->last_seen_s);
+    if (weaker) weakest = &s;
   }
   if (nearest != nullptr) {
     nearest->at = nearest->at + 0.3 * (at - nearest->at);

@@ -16,8 +16,8 @@ struct Spot {
 };
 
 /// Remembers unmapped furniture. A cupboard answers again and again; taken for independent accidents, its echoes would
-/// outweigh any true place by sheer number. Once remembered it costs nothing more. It never corrects the position, since
-/// where it was seen is no surer than where the wearer was.
+/// outweigh any true place by sheer number. Once remembered it costs nothing more. It never corrects the position,
+/// since where it was seen is no surer than where the wearer was.
 class EchoMemory {
  public:
   static constexpr std::size_t kMostRecalled = 4;

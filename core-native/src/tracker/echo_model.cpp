@@ -59,14 +59,17 @@ EchoModel::EchoModel(const BeltConfig& belt, const EchoModelParameters& p) {
     const double d = (static_cast<double>(i) + 0.5) / kReachPerMetre;
     const bool blanked = d < 0.8 * belt.min_range_m || d > belt.max_range_m + 0.25;
     const double in_range = blanked ? 0.0 : logistic((belt.max_range_m - 0.15 - d) / 0.1);
-    reach_[static_cast<std::size_t>(scene::ReflectorKind::wall)][i] = p.detect_wall * in_range * logistic((p.fade_range_m - d) / p.fade_softness_m);
-    reach_[static_cast<std::size_t>(scene::ReflectorKind::corner)][i] = p.detect_corner * in_range * logistic((p.fade_range_m - d) / p.fade_softness_m);
+    reach_[static_cast<std::size_t>(scene::ReflectorKind::wall)][i] =
+        p.detect_wall * in_range * logistic((p.fade_range_m - d) / p.fade_softness_m);
+    reach_[static_cast<std::size_t>(scene::ReflectorKind::corner)][i] =
+        p.detect_corner * in_range * logistic((p.fade_range_m - d) / p.fade_softness_m);
     reach_[static_cast<std::size_t>(scene::ReflectorKind::mirrored_corner)][i] =
         p.detect_mirrored * in_range * logistic((p.mirrored_range_m - d) / p.fade_softness_m);
     const double edge = p.detect_edge * logistic((p.edge_half_range_m - d) / p.edge_softness_m) * in_range;
     reach_[static_cast<std::size_t>(scene::ReflectorKind::edge)][i] = edge < kLeastEdgeChance ? 0.0 : edge;
     if (edge >= kLeastEdgeChance) limits_.max_edge_range = d;
-    reach_[static_cast<std::size_t>(scene::ReflectorKind::all_reflective)][i] = p.detect_all_reflective * in_range * logistic((p.fade_range_m - d) / p.fade_softness_m);
+    reach_[static_cast<std::size_t>(scene::ReflectorKind::all_reflective)][i] =
+        p.detect_all_reflective * in_range * logistic((p.fade_range_m - d) / p.fade_softness_m);
     unexplained_[i] = ghost_density_ + p.clutter / p.clutter_length_m * fast_exp(-d / p.clutter_length_m) +
                       p.arm / p.arm_length_m * fast_exp(-d / p.arm_length_m) + p.late / span;
   }

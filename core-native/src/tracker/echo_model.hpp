@@ -9,17 +9,17 @@
 
 namespace echoway::tracker {
 
-/// What a firing returns, as far as the estimator believes. Probabilities per firing unless said otherwise. They describe
-/// the Polaroid 6500 and furnished rooms in general and are tuned to no particular set of walks; docs/tracker.md shows
-/// how flat the error is around them.
+/// What a firing returns, as far as the estimator believes. Probabilities per firing unless said otherwise. They
+/// describe the Polaroid 6500 and furnished rooms in general and are tuned to no particular set of walks;
+/// docs/tracker.md shows how flat the error is around them.
 struct EchoModelParameters {
-  double deaf = 0.12;                 ///< The whole firing goes unheard: soft walls, clothes, a sensor turned up or down.
+  double deaf = 0.12;                 ///< The whole firing is unheard: soft walls, clothes, a sensor turned up or down.
   double detect_wall = 0.96;          ///< Else a wall squarely in the beam answers.
   double detect_corner = 0.95;        ///< As strong as a wall (physics of Kuc and Siegel 1987).
   double fade_range_m = 9.0;          ///< Far walls and corners answer less: half as often at this distance,
   double fade_softness_m = 1.5;       ///< with this logistic width.
   double rough = 0.15;                ///< A wall that is met askew answers all the same: brick, books, curtains ...
-  double rough_range_m = 3.0;         ///< ... up to this distance (thesis section 6.2.5: near walls, at 30 to 60 degrees) ...
+  double rough_range_m = 3.0;         ///< ... up to this distance (thesis 6.2.5: near walls, at 30 to 60 degrees) ...
   double rough_angle_rad = degrees(60.0);   ///< ... and this angle.
   double detect_edge = 0.50;          ///< 37 dB weaker at 1 m: answers only near by ...
   double edge_half_range_m = 1.4;     ///< ... half as often at this distance ...
@@ -39,8 +39,8 @@ struct EchoModelParameters {
   double ghost = 0.02;                ///< A reading out of nowhere, uniform over the sensor's range.
 };
 
-/// The same for following a wearer whose place is known, who is heard among more than the plan knows of: one more thing that
-/// stands in no plan must not drive out the right place.
+/// The same for following a wearer whose place is known, who is heard among more than the plan knows of: one more thing
+/// that stands in no plan must not drive out the right place.
 [[nodiscard]] EchoModelParameters wary(EchoModelParameters parameters);
 /// The same for a belt of weak sensors, or one worn under a coat, which hears what is near and nothing else.
 [[nodiscard]] EchoModelParameters hard_of_hearing(EchoModelParameters parameters);
@@ -64,7 +64,9 @@ class EchoModel {
   }
 
   /// Squared sine of an angle at and beyond which beam() is 0, rounding included.
-  [[nodiscard]] double outside_beam2(bool coarse) const noexcept { return coarse ? outside_coarse_beam2_ : outside_fine_beam2_; }
+  [[nodiscard]] double outside_beam2(bool coarse) const noexcept {
+    return coarse ? outside_coarse_beam2_ : outside_fine_beam2_;
+  }
 
   /// Factor for kind and distance.
   [[nodiscard]] double reach(scene::ReflectorKind kind, double distance) const noexcept {
@@ -81,13 +83,14 @@ class EchoModel {
 
   /// Probability that a wall answers that is `distance` away along an axis whose angle with the normal has this cosine.
   [[nodiscard]] double rough(double cosine, double distance) const noexcept {
-    return !too_askew(cosine) && distance < rough_range_ ? rough_ * std::min(1.0, 2.0 * (1.0 - distance / rough_range_)) : 0.0;
+    const bool answers = !too_askew(cosine) && distance < rough_range_;
+    return answers ? rough_ * std::min(1.0, 2.0 * (1.0 - distance / rough_range_)) : 0.0;
   }
   /// At such an angle no rough wall answers.
   [[nodiscard]] bool too_askew(double cosine) const noexcept { return !(cosine > rough_cosine_); }
 
-  /// Density of an echo at `range`, per metre: `explained` by the plan (chance times Gaussian, summed), by what is not in it
-  /// behind what failed to answer (`survival`: probability that nothing nearer did), or `again`, known to answer now.
+  /// Density of an echo at `range`, per metre: `explained` by the plan (chance times Gaussian, summed), by what is not
+  /// in it behind what failed to answer (`survival`: chance that nothing nearer did), or `again`, known to answer now.
   [[nodiscard]] double echo(double explained, double survival, double range, double again = 0.0) const noexcept {
     return heard() * (quiet_ * explained + survival * unexplained(range) + again) + ghost_density_;
   }

@@ -41,7 +41,8 @@ std::span<const Repeat> EchoRepeats::match(const BeltConfig& belt, int sensor, d
       found_[count++] = {whose, density};
       return;
     }
-    auto weakest = std::min_element(found_.begin(), found_.end(), [](const Repeat& x, const Repeat& y) { return x.density < y.density; });
+    const auto fainter = [](const Repeat& x, const Repeat& y) { return x.density < y.density; };
+    const auto weakest = std::min_element(found_.begin(), found_.end(), fainter);
     if (density > weakest->density) *weakest = {whose, density};
   };
   for (int i = 0; i < belt.sensors; ++i) {
@@ -52,7 +53,9 @@ std::span<const Repeat> EchoRepeats::match(const BeltConfig& belt, int sensor, d
     double density = 0.0;
     const Vec2 way = last.at - eye;
     const double d = std::sqrt(squared_norm(way));
-    if (std::abs(d - range) < kGate * sigma && dot(way, axis) > kBesideAxis * d) density += kAgain * gaussian(range - d, sigma);
+    if (std::abs(d - range) < kGate * sigma && dot(way, axis) > kBesideAxis * d) {
+      density += kAgain * gaussian(range - d, sigma);
+    }
     if (i == sensor) density += kSameRange * gaussian(range - last.range, sigma);
     keep(i, density);
   }
@@ -61,7 +64,8 @@ std::span<const Repeat> EchoRepeats::match(const BeltConfig& belt, int sensor, d
 
 void EchoRepeats::note(const BeltConfig& belt, int sensor, double range, double time_s) noexcept {
   const SinCos a = fast_sincos(wrap_near(pose_.heading + belt.bearing(sensor)));
-  last_[static_cast<std::size_t>(sensor)] = {time_s, range, pose_.position + (belt.radius_m + range) * Vec2{a.cos, a.sin}};
+  const Vec2 at = pose_.position + (belt.radius_m + range) * Vec2{a.cos, a.sin};
+  last_[static_cast<std::size_t>(sensor)] = {time_s, range, at};
 }
 
 }  // namespace echoway::tracker

@@ -14,10 +14,11 @@ struct Repeat {
   double density = 0.0;     ///< Of the range now measured, per metre, if whatever answered then answers now.
 };
 
-/// What answered a moment ago answers again: a cupboard stands where it stood, an arm swings at the same distance, a rough
-/// wall keeps returning sound from beside the wearer. So a run of echoes from something that is in no plan is one surprise,
-/// not many, and must not outweigh the true place by its number. The newest echo of every sensor is kept in a frame that
-/// moves with the wearer; whether it came from the plan is each particle's own opinion (Particle::strangers).
+/// What answered a moment ago answers again: a cupboard stands where it stood, an arm swings at the same
+/// distance, a rough wall keeps returning sound from beside the wearer. So a run of echoes from something that
+/// is in no plan is one surprise, not many, and must not outweigh the true place by its number. The newest
+/// echo of every sensor is kept in a frame that moves with the wearer; whether it came from the plan is each
+/// particle's own opinion (Particle::strangers).
 class EchoRepeats {
  public:
   static constexpr std::size_t kMost = 3;
@@ -25,7 +26,7 @@ class EchoRepeats {
   /// The wearer went `forward` metres and turned by `turn` radians.
   void move(double forward, double turn) noexcept;
 
-  /// Echoes that may be repeated by one of `range` metres from a sensor at `radius` and `bearing` (radians from the chest).
+  /// Echoes that may be repeated by one of `range` metres that `sensor` hears at `time_s`.
   [[nodiscard]] std::span<const Repeat> match(const BeltConfig& belt, int sensor, double range, double time_s) noexcept;
   void note(const BeltConfig& belt, int sensor, double range, double time_s) noexcept;
 

@@ -7,9 +7,9 @@
 #include "echoway/random.hpp"
 #include "echoway/units.hpp"
 
-/// Elementary functions for the inner loop. They use nothing but IEEE additions, multiplications and divisions, so they
-/// give the same bits with every compiler, C library and processor (a C library's exp and sin need not), and they cost a
-/// few nanoseconds.
+/// Elementary functions for the inner loop. They use nothing but IEEE additions, multiplications and divisions,
+/// so they give the same bits with every compiler, C library and processor (a C library's exp and sin need not),
+/// and they cost a few nanoseconds.
 namespace echoway::tracker {
 
 /// exp(x) to 1e-14 relative for |x| <= 700; 0 below -700, exp(700) above. Cody and Waite's reduction to |r| <= ln(2)/2,
@@ -67,7 +67,7 @@ namespace echoway::tracker {
 
 inline constexpr double kInvSqrtTwoPi = 0.3989422804014327;
 
-/// `density` to the power of `share`, which is positive and at most 1: what evidence weighs of which only a share is new.
+/// `density` to the power of `share`, positive and at most 1: what evidence weighs of which only a share is new.
 [[nodiscard]] inline double tempered(double density, double share) noexcept {
   return share < 1.0 ? fast_exp(share * fast_log(density)) : density;
 }
@@ -113,11 +113,12 @@ struct SinCos {
   return radians - kTwoPi * std::floor(radians * (1.0 / kTwoPi) + 0.5);
 }
 
-/// A bell-shaped variate of mean 0, variance 1 and bounded support (+-3.46), from one draw: the sum of four uniform ones
-/// (Irwin and Hall). Process noise wants speed here, not tails.
+/// A bell-shaped variate of mean 0, variance 1 and bounded support (+-3.46), from one draw: the sum of four uniform
+/// ones (Irwin and Hall). Process noise wants speed here, not tails.
 [[nodiscard]] inline double cheap_normal(Random& random) noexcept {
   const std::uint64_t bits = random.next();
-  const auto sum = static_cast<double>((bits & 0xffff) + ((bits >> 16) & 0xffff) + ((bits >> 32) & 0xffff) + (bits >> 48));
+  const auto sum =
+      static_cast<double>((bits & 0xffff) + ((bits >> 16) & 0xffff) + ((bits >> 32) & 0xffff) + (bits >> 48));
   return (sum - 2.0 * 65535.0) * (1.7320508075688772 / 65536.0);
 }
 

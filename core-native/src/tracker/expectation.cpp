@@ -16,7 +16,7 @@ using scene::RoomScene;
 constexpr double kBeamEdgeSpread = 0.035;   // Radians by which the beam's edge is uncertain.
 constexpr double kRoughSpread = 0.06;       // Radians within the beam from which a rough wall's echo comes;
 constexpr double kCoarseRoughSpread = 0.10; // the same of particles that stand for cells of headings.
-constexpr double kOffTheBeam = 0.02;        // A wall that answers less often squarely is heard by its roughness, if at all.
+constexpr double kOffTheBeam = 0.02;        // A wall heard squarely less often is heard by its roughness, if at all.
 constexpr double kNearest = 1e-6;
 
 struct View {
@@ -48,7 +48,8 @@ bool see_rough_wall(const Reflector& r, const View& view, double d, Vec2 normal,
   const Vec2 target = view.eye + way * view.axis;
   const double t = r.along(target);
   if (t < 0.0 || t > r.length) return false;
-  const double blur = way * std::abs(cross(view.axis, normal)) / cosine * (view.coarse ? kCoarseRoughSpread : kRoughSpread);
+  const double spread = view.coarse ? kCoarseRoughSpread : kRoughSpread;
+  const double blur = way * std::abs(cross(view.axis, normal)) / cosine * spread;
   seen = sighting(way, chance, blur * blur, (1.0 / cosine) * normal, target);
   return true;
 }
@@ -78,7 +79,8 @@ bool see_point(const Reflector& r, const View& view, Sighting& seen) noexcept {
   const double d2 = squared_norm(way);
   if (!(d2 > kNearest * kNearest) || !(dot(view.axis, way) > 0.0)) return false;
   const double aside = cross(view.axis, way);
-  if (aside * aside > view.model.outside_beam2(view.coarse) * d2) return false;   // Most are: no root, no division for them.
+  // Most are outside: no root, no division for them.
+  if (aside * aside > view.model.outside_beam2(view.coarse) * d2) return false;
   const double d = std::sqrt(d2);
   const Vec2 direction = (1.0 / d) * way;
   const double beam = view.model.beam(std::abs(cross(view.axis, direction)), view.coarse);
@@ -87,7 +89,7 @@ bool see_point(const Reflector& r, const View& view, Sighting& seen) noexcept {
   return true;
 }
 
-// Where one edge of the beam, along `ray`, meets an all-reflective element, if that is nearer than what is `seen` already.
+// Where one edge of the beam, along `ray`, meets an all-reflective element, if nearer than what is `seen` already.
 bool see_at_beam_edge(const Reflector& r, const View& view, Vec2 ray, bool found, Sighting& seen) noexcept {
   const double approach = -dot(r.normal, ray);
   if (std::abs(approach) < 0.1) return found;
@@ -97,7 +99,8 @@ bool see_at_beam_edge(const Reflector& r, const View& view, Vec2 ray, bool found
   const double t = r.along(hit);
   if (t < 0.0 || t > r.length) return found;
   const double slope = way * std::abs(dot(r.tangent(), ray)) / std::abs(approach) * kBeamEdgeSpread;
-  seen = sighting(way, view.model.reach(ReflectorKind::all_reflective, way), slope * slope, (1.0 / approach) * r.normal, hit);
+  const double chance = view.model.reach(ReflectorKind::all_reflective, way);
+  seen = sighting(way, chance, slope * slope, (1.0 / approach) * r.normal, hit);
   return true;
 }
 
@@ -120,7 +123,7 @@ bool see_all_reflective(const Reflector& r, const View& view, Sighting& seen) no
   return found;
 }
 
-// A corner's image behind a wall, seen through the wall as through a window: the target is where the sound meets the wall.
+// A corner's image behind a wall, seen through it as through a window: the target is where the sound meets the wall.
 bool see_mirrored(const RoomScene& room, const Reflector& r, const View& view, Sighting& seen) noexcept {
   if (!see_point(r, view, seen)) return false;
   const Reflector& wall = room.reflectors[static_cast<std::size_t>(r.mirror)];
@@ -145,7 +148,8 @@ bool see(const RoomScene& room, const Reflector& r, const View& view, Sighting& 
   return false;
 }
 
-bool hidden(const RoomScene& room, const Cell& cell, const Cell::Entry& entry, Vec2 eye, Vec2 target, double way) noexcept {
+bool hidden(const RoomScene& room, const Cell& cell, const Cell::Entry& entry, Vec2 eye, Vec2 target,
+            double way) noexcept {
   const Vec2 end = scene::in_front_of(target, eye, way);
   for (unsigned k = 0; k < entry.occluder_count; ++k) {
     if (scene::blocks(room.occluders[cell.occluders[entry.occluder_begin + k]], eye, end)) return true;
@@ -157,11 +161,13 @@ bool hidden(const RoomScene& room, const Cell& cell, const Cell::Entry& entry, V
 bool beside_its_door(const RoomScene& room, const Reflector& r, Vec2 eye, Vec2 target) noexcept {
   if (r.opening < 0) return false;
   const scene::Opening& door = room.openings[static_cast<std::size_t>(r.opening)];
-  return !scene::blocks(door.span(), eye, target) && squared_norm(eye - door.centre) >= scene::kInDoorway * scene::kInDoorway;
+  return !scene::blocks(door.span(), eye, target) &&
+         squared_norm(eye - door.centre) >= scene::kInDoorway * scene::kInDoorway;
 }
 
 // Whether the echo of `r`, an entry of `cell`, comes back unhindered.
-bool comes_back(const RoomScene& room, const Cell& cell, const Cell::Entry& entry, const Reflector& r, Vec2 eye, const Sighting& seen) noexcept {
+bool comes_back(const RoomScene& room, const Cell& cell, const Cell::Entry& entry, const Reflector& r, Vec2 eye,
+                const Sighting& seen) noexcept {
   const Vec2 target = seen.target();
   if (beside_its_door(room, r, eye, target)) return false;
   if (entry.occluder_count == 0) return true;
@@ -192,7 +198,8 @@ View view_of(const Particle& p, const Shot& shot, const EchoModel& model) noexce
   return {p.position + shot.radius * axis, axis, shot.coarse, model};
 }
 
-ExpectedEchoes look(const Cell& cell, const RoomScene& room, const Particle& p, const Shot& shot, const View& view) noexcept {
+ExpectedEchoes look(const Cell& cell, const RoomScene& room, const Particle& p, const Shot& shot,
+                    const View& view) noexcept {
   const double turns = (p.heading + shot.bearing_rad) * (1.0 / kTwoPi);
   const double part = turns - std::floor(turns);
   const auto sector = std::min(static_cast<std::size_t>(part * Cell::kSectors), std::size_t{Cell::kSectors - 1});
@@ -204,8 +211,8 @@ ExpectedEchoes look(const Cell& cell, const RoomScene& room, const Particle& p, 
     const Cell::Entry& entry = cell.entries[item % Cell::kCoarseOnly];
     const Reflector& r = room.reflectors[entry.reflector];
     Sighting seen;
-    if (!see(room, r, view, seen) || seen.echo.chance <= 0.0 || !comes_back(room, cell, entry, r, view.eye, seen)) continue;
-    insert_sorted(list, seen.echo);
+    if (!see(room, r, view, seen) || seen.echo.chance <= 0.0) continue;
+    if (comes_back(room, cell, entry, r, view.eye, seen)) insert_sorted(list, seen.echo);
   }
   return list;
 }

@@ -26,7 +26,9 @@ double reference_density(double echo_share, bool echo, double range) noexcept {
 
 }  // namespace
 
-double FitMonitor::anywhere(bool echo, double range) const noexcept { return reference_density(echo_share_, echo, range); }
+double FitMonitor::anywhere(bool echo, double range) const noexcept {
+  return reference_density(echo_share_, echo, range);
+}
 
 void FitMonitor::observe(double log_density, bool echo, double range) noexcept {
   const double gain = std::clamp(log_density - fast_log(anywhere(echo, range)), -4.0, 4.0);

@@ -19,7 +19,7 @@ class FitMonitor {
   [[nodiscard]] bool poor() const noexcept;
   /// They fit less well than they used to.
   [[nodiscard]] bool doubtful() const noexcept;
-  /// How many times more particles than usual the belief deserves: 1 when the last second fits, up to 4 when it does not.
+  /// How many times more particles than usual the belief deserves: 1 when the last second fits, up to 4 when not.
   [[nodiscard]] double doubt() const noexcept;
 
  private:

@@ -14,7 +14,7 @@ using scene::RoomScene;
 constexpr double kDoorwaySlack = 0.25;   // Beside the opening, where a slightly wrong mean still means the doorway.
 constexpr double kStride = 1.2;          // Beyond the door's plane, as far as one interval may carry a mean.
 constexpr double kBody = 0.20;           // Nobody's axis comes nearer to a wall, metres.
-constexpr double kLeastClearance = 0.12; // The least for a place that is told or tried: it is wrong by some centimetres.
+constexpr double kLeastClearance = 0.12; // The least for a place told or tried: it is wrong by some centimetres.
 constexpr double kWallSlack = 0.10;      // Maps and means are this wrong near walls.
 
 void enter(Particle& p, const Opening& o) noexcept {

@@ -67,10 +67,11 @@ void HintIntegrator::on_yaw_rate(double time_s, double rate) noexcept {
   clock_ = std::max(clock_, time_s);
 }
 
-// What still waits for a later time was stamped before the clock was set back: it would be counted when that time comes again.
+// What still waits for a later time was stamped before the clock was set back: it would count when that time returns.
 void HintIntegrator::set_clock_back(double time_s) noexcept {
   const auto waiting = waiting_.begin() + static_cast<std::ptrdiff_t>(waiting_count_);
-  const auto kept = std::remove_if(waiting_.begin(), waiting, [time_s](const MotionHint& hint) { return hint.time_s > time_s; });
+  const auto later = [time_s](const MotionHint& hint) { return hint.time_s > time_s; };
+  const auto kept = std::remove_if(waiting_.begin(), waiting, later);
   waiting_count_ = static_cast<std::size_t>(kept - waiting_.begin());
   reset_clock();
 }
@@ -145,7 +146,7 @@ void HintIntegrator::note_step_interval(double seconds) noexcept {
   step_interval_ = step_interval_ > 0.0 ? 0.7 * step_interval_ + 0.3 * seconds : seconds;
 }
 
-// Feet that turn on the spot step faster than on the way, and go nowhere. A phone on a thigh swings as far, and back again.
+// Feet that turn on the spot step faster than on the way, and go nowhere. A phone on a thigh swings as far, and back.
 bool HintIntegrator::step_led_on() noexcept {
   const double turn = turned_ + turn_;
   const double step = std::abs(turn - turn_at_step_), two_steps = std::abs(turn - turn_at_step_before_);

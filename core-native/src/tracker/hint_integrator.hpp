@@ -24,8 +24,9 @@ struct Interval {
   [[nodiscard]] double turn_without(double bias) const noexcept { return turn - bias * seconds; }
 };
 
-/// Integrates motion hints between firings. Late and missing hints are bridged; impossible ones are ignored. A belt tells of
-/// a firing only when it has listened, so hints of later moments may have come before it: they wait for theirs.
+/// Integrates motion hints between firings. Late and missing hints are bridged; impossible ones are
+/// ignored. A belt tells of a firing only when it has listened, so hints of later moments may have come
+/// before it: they wait for theirs.
 class HintIntegrator {
  public:
   void on_hint(const MotionHint& hint) noexcept;

@@ -33,7 +33,10 @@ void LevelBelief::begin_in(RoomIndex room) noexcept {
 
 void LevelBelief::observe(std::span<const Particle> particles, const LevelLinks& links, double seconds) noexcept {
   std::fill(now_.begin(), now_.end(), 0.0);
-  for (const Particle& p : particles) share_of(p.gait == Gait::away ? links.landing(p, 0).room : p.room, now_) += p.weight;
+  for (const Particle& p : particles) {
+    const RoomIndex room = p.gait == Gait::away ? links.landing(p, 0).room : p.room;
+    share_of(room, now_) += p.weight;
+  }
   const double gain = 1.0 - std::exp(-std::max(seconds, 0.0) / kMemory);
   for (std::size_t i = 0; i < now_.size(); ++i) probability_[i] += gain * (now_[i] - probability_[i]);
 }

@@ -9,8 +9,8 @@
 
 namespace echoway::tracker {
 
-/// Which level the wearer has been on of late. Levels are often alike, and a search that hears nothing of what parts them
-/// would find the wearer on any; but nobody changes levels without stairs or an elevator.
+/// Which level the wearer has been on of late. Levels are often alike, and a search that hears nothing of what parts
+/// them would find the wearer on any; but nobody changes levels without stairs or an elevator.
 class LevelBelief {
  public:
   explicit LevelBelief(const Building& building);

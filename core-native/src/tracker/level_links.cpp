@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kReach = 1.2;               // Metres from a link's end within which somebody may be taking it.
 constexpr double kFinds = 2.0;               // Metres from where who was told to take it finds it.
-constexpr double kUntoldRate = 0.15;         // 1/s, of those who were told nothing: who comes so near often means to take it.
+constexpr double kUntoldRate = 0.15;         // 1/s, of those told nothing: who comes so near often means to take it.
 constexpr double kLedRate = 0.002;           // 1/s, of those who are led elsewhere.
 constexpr double kToldRate = 1.5;            // 1/s.
 // How long people are on the way: never less, at this rate (1/s) from then on, never longer.
@@ -22,10 +22,10 @@ struct Ride {
 };
 constexpr Ride kStairs{8.0, 0.12, 45.0};     // A storey of two flights takes some seventeen seconds.
 constexpr Ride kElevator{8.0, 0.06, 90.0};
-constexpr double kWaitRate = 5.0;            // 1/s: who is led stands where they have come out until they are told how it goes on.
+constexpr double kWaitRate = 5.0;            // 1/s: who is led stands where they came out until told how it goes on.
 constexpr double kObedience = 0.9;           // Who was told to go up and sets out goes up.
-// Cabins measure 1.1 by 1.4 m most often, 2.0 by 1.4 m at most (EN 81-70). Their steel walls answer straight on, and by way of
-// one another two or three times as far.
+// Cabins measure 1.1 by 1.4 m most often, 2.0 by 1.4 m at most (EN 81-70). Their steel walls answer straight on, and by
+// way of one another two or three times as far.
 constexpr double kCabinAnswers = 0.65;
 constexpr double kCabinReach = 1.6;          // Metres.
 constexpr double kCabinLate = 0.35;          // Of the echoes come by several walls,
@@ -128,7 +128,8 @@ void LevelLinks::step(Particle& p, double time_s, double seconds, bool turn_know
   for (std::uint32_t i = first_[room]; i < first_[room + 1]; ++i) {
     const End& end = ends_[i];
     const double reach = told(end, time_s) ? kFinds : kReach;
-    if (squared_norm(p.position - end.at) > reach * reach || !happens(setting_out_rate(end, time_s), seconds, random)) continue;
+    if (squared_norm(p.position - end.at) > reach * reach) continue;
+    if (!happens(setting_out_rate(end, time_s), seconds, random)) continue;
     p.gait = Gait::away;
     p.away_s = 0.0;
     p.link_end = static_cast<std::int32_t>(i);

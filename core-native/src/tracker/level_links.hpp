@@ -14,8 +14,8 @@ namespace echoway::tracker {
 /// Density of a shot's reading in an elevator's cabin, whose walls are all near and answer again and again.
 [[nodiscard]] double in_cabin(const Shot& shot) noexcept;
 
-/// Stairs and elevators: a wearer who comes to one may take it, is on the way for a while, on which no echo fits any room,
-/// and then stands at its other end. Empty, and free of cost, in a building of one level.
+/// Stairs and elevators: a wearer who comes to one may take it, is on the way for a while, on which no echo fits any
+/// room, and then stands at its other end. Empty, and free of cost, in a building of one level.
 class LevelLinks {
  public:
   explicit LevelLinks(const Building& building);
@@ -33,10 +33,12 @@ class LevelLinks {
   void lead(bool led) noexcept { led_ = led; }
 
   /// Whether a particle that is away climbs, and so makes steps.
-  [[nodiscard]] bool on_stairs(const Particle& away) const noexcept { return ends_[static_cast<std::size_t>(away.link_end)].stairs; }
+  [[nodiscard]] bool on_stairs(const Particle& away) const noexcept {
+    return ends_[static_cast<std::size_t>(away.link_end)].stairs;
+  }
 
-  /// Where a particle that is away may arrive: stairs up and down often begin at one place, and nobody can tell which was
-  /// taken before they end. `turn` picks one of the places in turn.
+  /// Where a particle that is away may arrive: stairs up and down often begin at one place, and nobody can tell which
+  /// was taken before they end. `turn` picks one of the places in turn.
   struct Landing {
     RoomIndex room = kNoRoom;
     Vec2 at{};

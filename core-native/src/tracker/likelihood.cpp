@@ -8,7 +8,7 @@
 namespace echoway::tracker {
 namespace {
 
-constexpr double kMostScale = 0.08;        // ln of speed: at -20 and at 70 degrees it is no farther from what it is at 20.
+constexpr double kMostScale = 0.08;        // ln of speed: at -20 and at 70 degrees it is no farther from that at 20.
 constexpr double kLeastShare = 1e-3;       // Updates of smaller association probability are skipped.
 
 // P h for the measurement direction h = (gx, gy, 0, range).
@@ -107,14 +107,17 @@ Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene:
     const double normalized = innovation * innovation / variance;
     if (normalized < kGate2) {
       const double density = kInvSqrtTwoPi / std::sqrt(variance) * fast_exp(-0.5 * normalized);
-      found[count++] = {survival * e.chance * density, innovation, std::max(own, 0.0) + noise / shot.novelty, direction};
+      found[count++] = {survival * e.chance * density, innovation,
+                        std::max(own, 0.0) + noise / shot.novelty, direction};
       explained += found[count - 1].weight;
     }
     survival *= 1.0 - e.chance;
     if (e.range < shot.range) survival_at_range = survival;
   }
   double repeated = 0.0;
-  for (const Repeat& r : shot.repeats) repeated += r.density * (1.0 / 255.0) * p.strangers[static_cast<std::size_t>(r.sensor)];
+  for (const Repeat& r : shot.repeats) {
+    repeated += r.density * (1.0 / 255.0) * p.strangers[static_cast<std::size_t>(r.sensor)];
+  }
   const double again = survival_at_range * (repeated + remembered(p, shot, model));
   const double total = model.echo(explained, survival_at_range, shot.range, again);
   const double density = std::max(kLeastDensity, total);
@@ -145,7 +148,8 @@ Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene:
     move(p, shift, 1.0);
   }
   const double anything = (1.0 - shot.trust) * model.unexplained(shot.range);
-  p.strangers[static_cast<std::size_t>(shot.sensor)] = static_cast<std::uint8_t>(255.0 * std::clamp(1.0 - mean_gain, 0.0, 1.0));
+  p.strangers[static_cast<std::size_t>(shot.sensor)] =
+      static_cast<std::uint8_t>(255.0 * std::clamp(1.0 - mean_gain, 0.0, 1.0));
   return {shot.trust * density + anything, shot.trust * plan + anything, mean_gain};
 }
 

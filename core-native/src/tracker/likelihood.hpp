@@ -48,27 +48,29 @@ struct ExpectedEcho {
 struct ExpectedEchoes {
   static constexpr int kMax = 8;
   int count = 0;
-  std::array<ExpectedEcho, kMax> echo;   ///< The first `count`. The rest is not even zeroed: thousands are made a firing.
+  std::array<ExpectedEcho, kMax> echo;   ///< The first `count`. The rest is not zeroed: thousands are made a firing.
 };
 
 [[nodiscard]] ExpectedEchoes expect(const Particle& particle, const Shot& shot, const EchoModel& model,
                                     scene::Scene& scene) noexcept;
 /// The same from a given list of what may be seen.
-[[nodiscard]] ExpectedEchoes expect_from(const scene::Cell& cell, const scene::RoomScene& room, const Particle& particle,
-                                         const Shot& shot, const EchoModel& model) noexcept;
+[[nodiscard]] ExpectedEchoes expect_from(const scene::Cell& cell, const scene::RoomScene& room,
+                                         const Particle& particle, const Shot& shot, const EchoModel& model) noexcept;
 
 /// Density of the shot's reading given the particle, per metre for an echo and a plain probability for none, and the
 /// particle's Gaussian updated with it. Reflectors answer in order of distance, the nearest that does wins:
-///   p(z) = (1 - deaf) [quiet sum_j c_j prod_{i<j} (1 - c_i) N(z; d_j, S_j) + unmapped(z) prod_{d_i < z} (1 - c_i)] + ghost,
+///   p(z) = (1 - deaf) [quiet sum_j c_j prod_{i<j} (1 - c_i) N(z; d_j, S_j)
+///                      + unmapped(z) prod_{d_i < z} (1 - c_i)] + ghost,
 ///   p(none) = deaf + (1 - deaf) quiet prod (1 - c_i).
-/// The update merges the association hypotheses into one Gaussian (probabilistic data association, Bar-Shalom and Fortmann
-/// 1988, section 6.4). Always finite and positive.
+/// The update merges the association hypotheses into one Gaussian (probabilistic data association, Bar-Shalom and
+/// Fortmann 1988, section 6.4). Always finite and positive.
 struct Outcome {
   double density = 0.0;
   double plan = 0.0;        ///< The density if nothing were remembered.
   double mapped = 0.0;      ///< Probability that something in the plan answered.
 };
-[[nodiscard]] Outcome assimilate(Particle& particle, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept;
+[[nodiscard]] Outcome assimilate(Particle& particle, const Shot& shot, const EchoModel& model,
+                                 scene::Scene& scene) noexcept;
 
 /// Kalman update of the log sound-speed scale alone with a reading of variance `variance`.
 void observe_log_scale(Particle& particle, double log_scale, double variance) noexcept;

@@ -22,8 +22,8 @@ std::size_t Modes::nearest(const Placed& at, std::size_t count) const noexcept {
   return found;
 }
 
-void Modes::resample(Population& population, const Summary& summary, const Building& building, std::size_t target, bool blind,
-                     Random& random) noexcept {
+void Modes::resample(Population& population, const Summary& summary, const Building& building, std::size_t target,
+                     bool blind, Random& random) noexcept {
   const auto particles = population.particles();
   const auto count = static_cast<std::size_t>(summary.count);
   for (std::size_t i = 0; i < count; ++i) {

@@ -10,9 +10,9 @@
 
 namespace echoway::tracker {
 
-/// The places that a belief has fallen apart into, such as the two ends of a symmetric hall: a mixture of particle filters
-/// (Vermaak, Doucet and Perez 2003). Plain resampling lets all but one of them die out by chance within seconds; here each
-/// keeps particles enough to be followed for as long as it is possible at all.
+/// The places that a belief has fallen apart into, such as the two ends of a symmetric hall: a mixture of particle
+/// filters (Vermaak, Doucet and Perez 2003). Plain resampling lets all but one of them die out by chance within
+/// seconds; here each keeps particles enough to be followed for as long as it is possible at all.
 class Modes {
  public:
   struct Parameters {
@@ -28,8 +28,8 @@ class Modes {
 
   /// Resamples `population` to `target` particles and as many more as unlikely places need. No allocation.
   /// REQUIRES: normalized. `summary` is of it, a firing ago; of another belief, all particles lie elsewhere.
-  void resample(Population& population, const Summary& summary, const Building& building, std::size_t target, bool blind,
-                Random& random) noexcept;
+  void resample(Population& population, const Summary& summary, const Building& building, std::size_t target,
+                bool blind, Random& random) noexcept;
 
  private:
   /// Places of a summary, and last whatever lies elsewhere.

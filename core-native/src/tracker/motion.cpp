@@ -57,7 +57,8 @@ void Stride::predict(Particle& p) const noexcept {
 void Stride::change_gait(Particle& p, Random& random) const noexcept {
   const MotionParameters& m = *parameters_;
   const double turning = interval_.turn_known ? turning_ : on_the_spot(p.turn_rate);
-  const double rate = p.gait == Gait::walking ? m.stop_rate + turning * m.turning_stop_rate : m.start_rate + turning * m.turning_start_rate;
+  const double rate = p.gait == Gait::walking ? m.stop_rate + turning * m.turning_stop_rate
+                                              : m.start_rate + turning * m.turning_start_rate;
   if (random.uniform() < fast_exp(-rate * interval_.seconds)) return;
   const double lost = m.change_seconds * std::max(std::abs(p.gait == Gait::walking ? p.speed : pace_), m.slowest_pace);
   if (p.gait == Gait::walking) {

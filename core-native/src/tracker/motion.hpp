@@ -6,8 +6,8 @@
 
 namespace echoway::tracker {
 
-/// How people walk, and how their phone's sensors see it. Standard deviations; "per root second" ones grow with the root
-/// of time.
+/// How people walk, and how their phone's sensors see it. Standard deviations; "per root second"
+/// ones grow with the root of time.
 struct MotionParameters {
   double start_speed = 0.5, start_speed_sigma = 0.30;     ///< m/s, before anything is known.
   double pace_drift = 0.12;              ///< Of the pace, per root second, while walking,
@@ -15,7 +15,7 @@ struct MotionParameters {
   double pace_memory = 5.0;              ///< with a return to the wearer's usual pace in so many seconds.
   double stop_rate = 0.12;               ///< 1/s: walking ends,
   double start_rate = 0.35;              ///< and begins.
-  double turning_stop_rate = 2.0;        ///< 1/s, added to these in a turn as fast as people make on the spot: in walking
+  double turning_stop_rate = 2.0;        ///< 1/s, added to these in a turn as fast as people's on the spot: in walking
   double turning_start_rate = 1.0;       ///< they slow down for it.
   double start_sigma = 0.08;             ///< m/s: how well the usual pace tells the pace of a new start ...
   double new_pace_share = 0.1;           ///< ... unless the wearer sets out, so often, at another one,
@@ -26,7 +26,7 @@ struct MotionParameters {
   double sway = 0.04;                    ///< m per root second, any direction: gait, side steps.
   double gyro_bias_sigma = degrees(0.8); ///< rad/s, as phones come out of their own calibration.
   double gyro_bias_drift = degrees(0.05);///< rad/s per root second.
-  double gyro_noise = degrees(3.0);      ///< rad per root second: more than any gyroscope's own, for phones swing on thighs.
+  double gyro_noise = degrees(3.0);      ///< rad per root second: more than gyroscopes' own, as phones swing on thighs.
   // Without a gyroscope. Rates in 1/s, speeds in rad/s.
   double turn_rate_walking = 0.45;       ///< Turns begin so often while walking,
   double turn_rate_standing = 0.70;      ///< so often while standing,

@@ -6,8 +6,8 @@
 
 namespace echoway::tracker {
 
-/// How much of what a sensor says is new. Furniture, soft walls and people make a resting sensor repeat its error; only one
-/// that has been moved or turned since it last fired tells something new.
+/// How much of what a sensor says is new. Furniture, soft walls and people make a resting sensor repeat its error; only
+/// one that has been moved or turned since it last fired tells something new.
 class Novelty {
  public:
   /// The wearer went on by `metres` and turned by `radians` (absolute values).

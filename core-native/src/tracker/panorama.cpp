@@ -13,7 +13,8 @@ void Panorama::stand_at(RoomIndex room, Vec2 position) noexcept {
   known_.fill(false);
 }
 
-const Panorama::Sight& Panorama::towards(double angle, double radius, const EchoModel& model, scene::Scene& scene) noexcept {
+const Panorama::Sight& Panorama::towards(double angle, double radius, const EchoModel& model,
+                                         scene::Scene& scene) noexcept {
   const double turns = angle * (1.0 / kTwoPi);
   const double part = turns - std::floor(turns);
   const auto at = static_cast<std::size_t>(part * kDirections + 0.5) % kDirections;
@@ -30,13 +31,16 @@ const Panorama::Sight& Panorama::towards(double angle, double radius, const Echo
   shot.coarse = true;
   sight.echoes = expect(p, shot, model, scene);
   sight.silence = 1.0;
-  for (int j = 0; j < sight.echoes.count; ++j) sight.silence *= 1.0 - sight.echoes.echo[static_cast<std::size_t>(j)].chance;
+  for (int j = 0; j < sight.echoes.count; ++j) {
+    sight.silence *= 1.0 - sight.echoes.echo[static_cast<std::size_t>(j)].chance;
+  }
   known_[at] = true;
   ++looks_;
   return sight;
 }
 
-double density_of(const Panorama::Sight& sight, bool echo, double range, const Offset& offset, const EchoModel& model) noexcept {
+double density_of(const Panorama::Sight& sight, bool echo, double range, const Offset& offset,
+                  const EchoModel& model) noexcept {
   if (!echo) return model.silence(sight.silence);
   double survival = 1.0, survival_at_range = 1.0, explained = 0.0;
   for (int j = 0; j < sight.echoes.count; ++j) {

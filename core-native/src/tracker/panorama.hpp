@@ -6,8 +6,8 @@
 
 namespace echoway::tracker {
 
-/// What a firing may return from one place, by the direction fired. A search tries many headings at a place and replays many
-/// firings at each; what can be seen in a direction is worked out once for all of them.
+/// What a firing may return from one place, by the direction fired. A search tries many headings at a place and replays
+/// many firings at each; what can be seen in a direction is worked out once for all of them.
 class Panorama {
  public:
   static constexpr int kDirections = 30;   ///< 12 degrees apart, as the headings tried, and half of what sensors are.

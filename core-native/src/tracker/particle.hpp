@@ -23,8 +23,9 @@ enum class Gait : std::uint8_t {
   away,       ///< On stairs or in an elevator: in no room.
 };
 
-/// One hypothesis of a Rao-Blackwellised filter (Doucet et al. 2000): room, gait, heading and what turns it are sampled; given
-/// them, every range is almost linear in position, speed and sound-speed scale, which a Kalman filter carries exactly.
+/// One hypothesis of a Rao-Blackwellised filter (Doucet et al. 2000): room, gait, heading and what turns it
+/// are sampled; given them, every range is almost linear in position, speed and sound-speed scale, which a
+/// Kalman filter carries exactly.
 struct Particle {
   double weight = 0.0;
   RoomIndex room = kNoRoom;
@@ -39,11 +40,12 @@ struct Particle {
   double turn_rate = 0.0;    ///< rad/s, when no gyroscope tells.
   double away_s = 0.0;       ///< Seconds since the particle set out on stairs or an elevator,
   std::int32_t link_end = 0; ///< and on which: an end of LevelLinks.
-  std::array<std::uint8_t, kMaxSensors> strangers{};   ///< Per sensor: chance, of 255, that its last echo came from nothing in the plan.
+  /// Per sensor: chance, of 255, that its last echo came from nothing in the plan.
+  std::array<std::uint8_t, kMaxSensors> strangers{};
 };
 
-/// Turns a particle where it stands, with all that it knows, by the angle whose cosine and sine `rotation` holds: into the
-/// frame of another room, say.
+/// Turns a particle where it stands, with all that it knows, by the angle whose cosine and sine `rotation` holds: into
+/// the frame of another room, say.
 void turn(Particle& p, Vec2 rotation) noexcept;
 
 /// Another speed, m/s, of standard deviation `sigma`, that nothing known so far tells anything about.

@@ -39,6 +39,8 @@ struct Placed {
   return {frame.level, at, heading + frame.pose.heading};
 }
 
-[[nodiscard]] inline Placed place(const Particle& p, const RoomFrame& frame) noexcept { return place(p.position, p.heading, frame); }
+[[nodiscard]] inline Placed place(const Particle& p, const RoomFrame& frame) noexcept {
+  return place(p.position, p.heading, frame);
+}
 
 }  // namespace echoway::tracker

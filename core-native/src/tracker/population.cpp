@@ -24,7 +24,9 @@ std::uint64_t cell_key(const Particle& p) noexcept {
   return key == kFree ? 0 : key;
 }
 
-std::size_t slots_for(std::size_t particles) noexcept { return std::bit_ceil(std::max<std::size_t>(2 * particles, 64)); }
+std::size_t slots_for(std::size_t particles) noexcept {
+  return std::bit_ceil(std::max<std::size_t>(2 * particles, 64));
+}
 
 }  // namespace
 
@@ -149,12 +151,14 @@ void Population::resample(std::size_t target, Random& random) noexcept {
   mode_count_ = 0;
 }
 
-void Population::resample(std::span<const std::uint8_t> mode_of, std::span<const std::size_t> targets, Random& random) noexcept {
+void Population::resample(std::span<const std::uint8_t> mode_of, std::span<const std::size_t> targets,
+                          Random& random) noexcept {
   std::size_t made = 0;
   mode_count_ = 0;
   for (std::size_t m = 0; m < targets.size(); ++m) {
     const std::size_t begin = made;
-    made += draw_mode(mode_of, m, std::min(targets[m], particles_.size() - made), {scratch_.data() + made, particles_.size() - made}, random);
+    const std::size_t left = particles_.size() - made;
+    made += draw_mode(mode_of, m, std::min(targets[m], left), {scratch_.data() + made, left}, random);
     if (made > begin) modes_[mode_count_++] = {begin, made, 0.0};
   }
   if (made == 0) return;

@@ -10,8 +10,8 @@
 
 namespace echoway::tracker {
 
-/// A weighted set of particles in memory reserved once, in modes: places that lie apart, whose particles stand side by side.
-/// Until it is resampled by modes, all of it is one.
+/// A weighted set of particles in memory reserved once, in modes: places that lie apart, whose particles stand side by
+/// side. Until it is resampled by modes, all of it is one.
 class Population {
  public:
   static constexpr std::size_t kMostModes = 16;
@@ -25,7 +25,8 @@ class Population {
   [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
 
   void clear() noexcept { count_ = mode_count_ = 0; }
-  void push(const Particle& particle) noexcept;   ///< Ignored when full. REQUIRES: not resampled by modes since it was empty.
+  /// Ignored when full. REQUIRES: not resampled by modes since it was empty.
+  void push(const Particle& particle) noexcept;
   void swap(Population& other) noexcept;
 
   /// Makes the weights add up to 1 (all equal when they have vanished) and returns what they added up to.
@@ -39,17 +40,17 @@ class Population {
   /// Number of cells of half a metre and 20 degrees that hold a particle of noticeable weight: how spread the belief is
   /// (Fox 2003, KLD sampling).
   [[nodiscard]] std::size_t occupied_cells() noexcept;
-  /// Moves every particle's gyroscope bias towards `bias`, measured with `sigma` (an ensemble Kalman update with perturbed
-  /// observations: Burgers, van Leeuwen and Evensen 1998).
+  /// Moves every particle's gyroscope bias towards `bias`, measured with `sigma` (an ensemble Kalman update with
+  /// perturbed observations: Burgers, van Leeuwen and Evensen 1998).
   void observe_gyro_bias(double bias, double sigma, Random& random) noexcept;
   /// Systematic resampling (Kitagawa 1996) to `target` particles of equal weight.
   void resample(std::size_t target, Random& random) noexcept;
-  /// The same for each mode by itself: `mode_of` says per particle which it belongs to, `targets` per mode how many it shall
-  /// have, of equal weight and together of the mode's. Modes without a particle to come are left out.
+  /// The same for each mode by itself: `mode_of` says per particle which it belongs to, `targets` per mode how many it
+  /// shall have, of equal weight and together of the mode's. Modes without a particle to come are left out.
   /// REQUIRES: at most kMostModes.
   void resample(std::span<const std::uint8_t> mode_of, std::span<const std::size_t> targets, Random& random) noexcept;
 
-  /// Lets only `share` of what the weights have learnt since weigh_modes() count between modes; within each, all of it does.
+  /// Lets only `share` of what the weights have learnt since weigh_modes() count between modes; within each, all does.
   void weigh_modes() noexcept;
   void temper_modes(double share) noexcept;
 

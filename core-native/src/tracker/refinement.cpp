@@ -20,7 +20,7 @@ constexpr std::uint64_t kRound = 5;               // Firings between looks at th
 constexpr std::size_t kParticlesPerCell = 14;
 constexpr std::size_t kFewest = 400;
 constexpr std::size_t kFewCells = 60;             // Of a dozen places at most, once every sensor was heard twice.
-constexpr double kShareBetween = 0.3;             // Of what counts, half of it by then, between places: as in the tracker.
+constexpr double kShareBetween = 0.3;             // Of what counts, half by then, between places: as in the tracker.
 constexpr double kSpread = degrees(1.0);          // Radians by which copies of a particle part.
 
 // A search starts from cells of places: a reading that is not new weighs less, but narrows them all the same.
@@ -47,7 +47,9 @@ Past past_of(std::uint64_t firing, std::uint64_t first, const SearchTools& tools
 
 void replay(Particle& p, const Past& past, const SearchTools& tools, Random& random) noexcept {
   if (!past.first) past.stride.advance(p, random);
-  if (past.shot.trust > 0.0) p.weight *= tempered(assimilate(p, past.shot, tools.model, tools.scene).density, past.evidence);
+  if (past.shot.trust > 0.0) {
+    p.weight *= tempered(assimilate(p, past.shot, tools.model, tools.scene).density, past.evidence);
+  }
   p.weight *= std::max(1e-9, settle_on_floor(p, tools.scene));
 }
 

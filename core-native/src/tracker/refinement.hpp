@@ -21,25 +21,26 @@ struct SearchTools {
   double pace;                         ///< The wearer's usual one, m/s.
 };
 
-/// Share of a replayed firing's evidence that counts: three quarters of the first pass of sensors, half of what they say again
-/// later. What stands in no plan is heard again and again, and whichever of thousands of places it fits would drive out the
-/// right one.
+/// Share of a replayed firing's evidence that counts: three quarters of the first pass of sensors, half of what they
+/// say again later. What stands in no plan is heard again and again, and whichever of thousands of places it fits
+/// would drive out the right one.
 [[nodiscard]] double share_of(std::uint64_t firing, std::uint64_t first, const BeltConfig& belt) noexcept;
 
-/// Brings particles up to the present through past firings, as the tracker itself would have: a particle filter that runs
-/// behind and catches up, cut into slices. Once every sensor was heard twice and few places are left, they are modes, and the
-/// evidence between them counts as little as it does in the tracker: what stands in no plan would drop the right one.
+/// Brings particles up to the present through past firings, as the tracker itself would have: a particle filter
+/// that runs behind and catches up, cut into slices. Once every sensor was heard twice and few places are left,
+/// they are modes, and the evidence between them counts as little as it does in the tracker: what stands in no
+/// plan would drop the right one.
 class Refinement {
  public:
   explicit Refinement(std::size_t capacity) : population_(capacity), modes_(capacity, Modes::Parameters{}) {}
 
-  /// Empties it; particles pushed now stand just before firing number `first` of the history. `modes`: whether the few places
-  /// that are left become modes.
+  /// Empties it; particles pushed now stand just before firing number `first` of the history. `modes`: whether the few
+  /// places that are left become modes.
   void begin(std::uint64_t first, bool modes) noexcept;
   [[nodiscard]] Population& population() noexcept { return population_; }
 
-  /// Replays about `budget` firings of single particles, or fewer where cells must first be compiled, each of which costs as
-  /// much as `cell_cost` of them. True when all particles have heard everything.
+  /// Replays about `budget` firings of single particles, or fewer where cells must first be compiled, each of which
+  /// costs as much as `cell_cost` of them. True when all particles have heard everything.
   bool work(const SearchTools& tools, Random& random, std::size_t budget, std::size_t cell_cost) noexcept;
 
   /// What the last slice cost, in firings of single particles.

@@ -19,7 +19,8 @@ void Rival::begin(double log_odds) noexcept {
 }
 
 double Rival::least(bool belief_poor) const noexcept {
-  return belief_poor ? std::max(kLogRejected, log_begin_ - kLogSlump + kLogGain * static_cast<double>(age_)) : kLogRejected;
+  return belief_poor ? std::max(kLogRejected, log_begin_ - kLogSlump + kLogGain * static_cast<double>(age_))
+                     : kLogRejected;
 }
 
 // Who gains all the while on a belief that does not fit is about to win.

@@ -6,9 +6,9 @@
 
 namespace echoway::tracker {
 
-/// Another belief on probation: a sequential probability ratio test (Wald 1945) on firings that the search which found it has
-/// not seen. Whoever was chosen among a million places to fit the last firings must prove itself on the next ones; judged by
-/// the firings that chose it, it would too often win by chance.
+/// Another belief on probation: a sequential probability ratio test (Wald 1945) on firings that the search which found
+/// it has not seen. Whoever was chosen among a million places to fit the last firings must prove itself on the next
+/// ones; judged by the firings that chose it, it would too often win by chance.
 class Rival {
  public:
   explicit Rival(std::size_t capacity) : population_(capacity) {}

@@ -6,8 +6,8 @@
 
 namespace echoway::tracker {
 
-/// Beliefs on probation side by side, each against the belief and by itself: what one search found need not have been judged
-/// before the next one begins.
+/// Beliefs on probation side by side, each against the belief and by itself: what one search found need not have been
+/// judged before the next one begins.
 class Rivals {
  public:
   /// Room for `most` of them with `capacity` particles each.

@@ -12,11 +12,11 @@
 namespace echoway::tracker {
 namespace {
 
-constexpr double kFlattening = 0.5;       // Power of the sweep's likelihoods by which its survivors are drawn: it is coarse.
+constexpr double kFlattening = 0.5;       // Power of the sweep's likelihoods to draw survivors by: it is coarse.
 constexpr double kNowhere = -1e300;
 constexpr double kStandingShare = 0.4;    // Of wearers who do not know where they are.
 constexpr double kDrawnSpeedSigma = 0.15; // Metres a second.
-constexpr double kCellSigma = 0.45;       // Standard deviation of a place within its cell, as a share of the cell's width,
+constexpr double kCellSigma = 0.45;       // Standard deviation of a place within its cell, as a share of its width,
 constexpr double kRefinedSigma = 0.25;    // and of one drawn from it.
 
 }  // namespace
@@ -50,7 +50,8 @@ void Search::enter_room(const SearchTools& tools) noexcept {
   centre_ = domain_.heading;
   if (domain_.level_heading) centre_ = *domain_.level_heading - tools.building.room(room_).frame.heading;
   if (domain_.near_heading) {
-    centre_ = *domain_.near_heading + tools.building.room(domain_.near_room).frame.heading - tools.building.room(room_).frame.heading;
+    const double near_frame = tools.building.room(domain_.near_room).frame.heading;
+    centre_ = *domain_.near_heading + near_frame - tools.building.room(room_).frame.heading;
   }
   const Vec2 size = room.high - room.low;
   columns_ = std::max(1, static_cast<int>(std::ceil(size.x / spacing_)));
@@ -77,7 +78,8 @@ bool Search::worth_trying(const SearchTools& tools, Vec2 position) const noexcep
   if (domain_.within) {
     const Room& near = tools.building.room(domain_.near_room);
     const Room& here = tools.building.room(room_);
-    if (distance(here.frame.transform(position), near.frame.transform(domain_.near_position)) > *domain_.within) return false;
+    const Vec2 about = near.frame.transform(domain_.near_position);
+    if (distance(here.frame.transform(position), about) > *domain_.within) return false;
   }
   return can_stand(tools.scene.room(room_), position);
 }
@@ -130,7 +132,8 @@ void Search::keep(const Survivor& survivor) noexcept {
   }
 }
 
-Particle Search::candidate(const SearchTools& tools, RoomIndex room, Vec2 position, double heading, double sigma) const noexcept {
+Particle Search::candidate(const SearchTools& tools, RoomIndex room, Vec2 position, double heading,
+                           double sigma) const noexcept {
   Particle p;
   p.room = room;
   p.position = position;
@@ -160,7 +163,10 @@ void Search::reckon(const SearchTools& tools) noexcept {
     way = way + dt * Vec2{mid.cos, mid.sin};
     turn = wrap_near(turn + turned);
     seconds += dt;
-    if (record.trust > 0.0) legs_[swept_++] = {way, turn + tools.belt.bearing(record.sensor), seconds, record.range, record.novelty, record.echo, record.log_main};
+    if (record.trust > 0.0) {
+      legs_[swept_++] = {way, turn + tools.belt.bearing(record.sensor), seconds,
+                         record.range, record.novelty, record.echo, record.log_main};
+    }
   }
 }
 
@@ -175,7 +181,7 @@ void Search::put_echoes_first() noexcept {
   }
 }
 
-// What a search against a belief can find is worth nothing unless it does better than the belief: that runs as a candidate.
+// What a search against a belief finds is worth nothing unless it beats the belief: that runs as a candidate.
 void Search::enter_belief() noexcept {
   if (!domain_.least_gain) return;
   log_belief_ = 0.0;
@@ -186,8 +192,9 @@ void Search::enter_belief() noexcept {
 }
 
 bool Search::beats_belief() const noexcept {
+  if (!domain_.least_gain) return true;
   const auto beats = [&](const Survivor& s) { return s.log_likelihood >= log_belief_ + *domain_.least_gain; };
-  return !domain_.least_gain || std::any_of(survivors_.begin(), survivors_.begin() + static_cast<std::ptrdiff_t>(count_), beats);
+  return std::any_of(survivors_.begin(), survivors_.begin() + static_cast<std::ptrdiff_t>(count_), beats);
 }
 
 double Search::log_likelihood(const SearchTools& tools, const Leg& leg, const SinCos& facing, double heading) noexcept {
@@ -198,7 +205,8 @@ double Search::log_likelihood(const SearchTools& tools, const Leg& leg, const Si
   offset.variance = kCellSigma * kCellSigma * spacing_ * spacing_ + tools.motion.sway * tools.motion.sway * leg.seconds;
   offset.log_scale = tools.log_scale;
   offset.log_scale_variance = tools.log_scale_sigma * tools.log_scale_sigma;
-  const Panorama::Sight& sight = panorama_.towards(heading + leg.bearing, tools.belt.radius_m, tools.model, tools.scene);
+  const Panorama::Sight& sight =
+      panorama_.towards(heading + leg.bearing, tools.belt.radius_m, tools.model, tools.scene);
   return leg.novelty * fast_log(density_of(sight, leg.echo, leg.range, offset, tools.model));
 }
 
@@ -259,11 +267,13 @@ bool Search::work(const SearchTools& tools, Random& random) noexcept {
   return true;
 }
 
-// Systematic resampling keeps neighbours' joint weight to within one particle when neighbours stand side by side (Kitagawa
-// 1996): places that no echo tells apart, as along a hall, then do not die out by chance.
+// Systematic resampling keeps neighbours' joint weight to within one particle when neighbours stand side by side
+// (Kitagawa 1996): places that no echo tells apart, as along a hall, then do not die out by chance.
 void Search::in_order_of_place() noexcept {
-  std::sort(survivors_.begin(), survivors_.begin() + static_cast<std::ptrdiff_t>(count_), [](const Survivor& a, const Survivor& b) {
-    return std::tie(a.room, a.position.x, a.position.y, a.heading) < std::tie(b.room, b.position.x, b.position.y, b.heading);
+  const auto end = survivors_.begin() + static_cast<std::ptrdiff_t>(count_);
+  std::sort(survivors_.begin(), end, [](const Survivor& a, const Survivor& b) {
+    return std::tie(a.room, a.position.x, a.position.y, a.heading) <
+           std::tie(b.room, b.position.x, b.position.y, b.heading);
   });
 }
 
@@ -276,6 +286,7 @@ void Search::draw_from_survivors(const SearchTools& tools, Random& random) noexc
   const auto flattened = [&](std::size_t i) { return fast_exp(kFlattening * (survivors_[i].log_likelihood - best)); };
   double sum = 0.0;
   for (std::size_t i = 0; i < count_; ++i) sum += flattened(i);
+  const MotionParameters& motion = tools.motion;
   const std::size_t drawn = to_draw();
   const double step = sum / static_cast<double>(drawn);
   double at = random.uniform() * step;
@@ -288,12 +299,12 @@ void Search::draw_from_survivors(const SearchTools& tools, Random& random) noexc
     const double heading = s.heading + random.uniform(-0.5, 0.5) * heading_cell();
     Particle p = candidate(tools, s.room, s.position + spacing_ * off, heading, kRefinedSigma * spacing_);
     p.gait = random.uniform() < kStandingShare ? Gait::standing : Gait::walking;
-    p.speed = p.gait == Gait::standing ? 0.0 : tools.motion.start_speed + tools.motion.start_speed_sigma * cheap_normal(random);
-    const double sigma = p.gait == Gait::standing ? tools.motion.standing_sigma : kDrawnSpeedSigma;
+    p.speed = p.gait == Gait::standing ? 0.0 : motion.start_speed + motion.start_speed_sigma * cheap_normal(random);
+    const double sigma = p.gait == Gait::standing ? motion.standing_sigma : kDrawnSpeedSigma;
     p.cov.ss = sigma * sigma;
     // Prior over proposal.
     p.weight = fast_exp(-kFlattening * (s.log_likelihood - best)) * step;
-    p.gyro_bias += tools.motion.gyro_bias_sigma * cheap_normal(random);
+    p.gyro_bias += motion.gyro_bias_sigma * cheap_normal(random);
     refinement_.population().push(p);
   }
   log_evidence_ = 0.0;

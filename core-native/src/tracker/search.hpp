@@ -24,18 +24,18 @@ struct SearchDomain {
   Vec2 near_position{};                       ///< In that room's frame.
   std::optional<double> within;               ///< Metres: look no farther from there, on any level,
   std::optional<double> near_heading;         ///< and, when set, only about this heading (that room's frame).
-  /// Log likelihood by which some place must do better in the sweep than the belief did; unset: there is no belief to beat.
+  /// Log likelihood by which some place must do better in the sweep than the belief did; unset: there is none to beat.
   std::optional<double> least_gain;
   bool thorough = false;                      ///< Places that no echo tells apart shall all be found.
-  const DeadReckoning* reckoning = nullptr;   ///< When set, and known, places near where it leads are likelier than others.
+  const DeadReckoning* reckoning = nullptr;   ///< When set, and known, places near where it leads are likelier.
   const LevelBelief* levels = nullptr;        ///< When set, places on levels where the wearer has been are likelier.
 };
 
-/// Looks for the wearer over a whole building. First a sweep: a grid of positions and headings is replayed through a window
-/// of recent firings, each candidate a coarse particle that stands for its cell, dropped as soon as it falls hopelessly
-/// behind the best, or behind the belief that it is to beat. Then a refinement: particles drawn from the survivors' cells are replayed up to the present with the
-/// beam as sharp as it is, and weighted by importance (Doucet et al. 2000, section 2). The work is cut into slices, so that
-/// one firing never costs more than its budget.
+/// Looks for the wearer over a whole building. First a sweep: a grid of positions and headings is replayed through a
+/// window of recent firings, each candidate a coarse particle that stands for its cell, dropped as soon as it falls
+/// hopelessly behind the best, or behind the belief that it is to beat. Then a refinement: particles drawn from the
+/// survivors' cells are replayed up to the present with the beam as sharp as it is, and weighted by importance (Doucet
+/// et al. 2000, section 2). The work is cut into slices, so that one firing never costs more than its budget.
 class Search {
  public:
   struct Parameters {
@@ -68,8 +68,8 @@ class Search {
   /// Works for one slice. Returns true when what was found stands at the present and may be taken.
   bool work(const SearchTools& tools, Random& random) noexcept;
 
-  /// Puts what was found into `out`, at most its capacity; with the twins of every place (twins.hpp) when it was looked for all
-  /// round, in a room or everywhere.
+  /// Puts what was found into `out`, at most its capacity; with the twins of every place (twins.hpp) when it was looked
+  /// for all round, in a room or everywhere.
   void take(Population& out, const SearchTools& tools, Random& random) noexcept;
   [[nodiscard]] const SearchDomain& domain() const noexcept { return domain_; }
   /// Of the building's rooms, square metres.
@@ -86,19 +86,20 @@ class Search {
     Vec2 position{};                     ///< Of its cell's centre at the window's begin.
     double heading = 0.0;
     double log_likelihood = 0.0;
-    std::uint64_t lot = 0;               ///< Decides between equals, of which a long hall has many: no two have the same.
+    std::uint64_t lot = 0;               ///< Decides between equals, of which a long hall has many; no two are alike.
   };
   [[nodiscard]] bool heading_is_known() const noexcept {
     return domain_.heading || domain_.near_heading || domain_.level_heading;
   }
-  /// Whose heading is known, or about where they are, is not taken for somebody at the room's other end; nor are the places
-  /// beyond stairs, of which most are alike, kept in mind for long.
+  /// Whose heading is known, or about where they are, is not taken for somebody at the room's other end; nor are the
+  /// places beyond stairs, of which most are alike, kept in mind for long.
   [[nodiscard]] bool looks_all_over() const noexcept { return !is_local() && !heading_is_known(); }
   [[nodiscard]] bool next_candidate(const SearchTools& tools, Vec2& position, double& heading) noexcept;
   void enter_room(const SearchTools& tools) noexcept;
   [[nodiscard]] bool reachable(const SearchTools& tools) const noexcept;
   [[nodiscard]] bool worth_trying(const SearchTools& tools, Vec2 position) const noexcept;
-  [[nodiscard]] Particle candidate(const SearchTools& tools, RoomIndex room, Vec2 position, double heading, double sigma) const noexcept;
+  [[nodiscard]] Particle candidate(const SearchTools& tools, RoomIndex room, Vec2 position, double heading,
+                                   double sigma) const noexcept;
   [[nodiscard]] Record from_begin(const History& history, std::uint64_t number) const noexcept;
   /// One firing as the sweep sees it.
   struct Leg {
@@ -114,7 +115,8 @@ class Search {
   void put_echoes_first() noexcept;
   void enter_belief() noexcept;
   [[nodiscard]] bool beats_belief() const noexcept;
-  [[nodiscard]] double log_likelihood(const SearchTools& tools, const Leg& leg, const SinCos& facing, double heading) noexcept;
+  [[nodiscard]] double log_likelihood(const SearchTools& tools, const Leg& leg, const SinCos& facing,
+                                      double heading) noexcept;
   [[nodiscard]] std::size_t try_candidate(const SearchTools& tools, Vec2 position, double heading) noexcept;
   void keep(const Survivor& survivor) noexcept;
   void in_order_of_place() noexcept;

@@ -13,12 +13,12 @@ constexpr int kStuckRepeats = 10;
 constexpr double kStuckProgress = 12.0;   // Three metres, or a turn by 96 degrees.
 constexpr int kSilentFirings = 45;
 constexpr double kSilentProgress = 45.0;
-constexpr double kNear = 2.0;             // Metres: where electronic ballasts make false readings (thesis 6.2.5, case III).
+constexpr double kNear = 2.0;             // Metres within which ballasts make false readings (thesis 6.2.5, case III).
 constexpr double kMemory = 1.0 / 14.0;
 constexpr double kMostlyUnmapped = 0.80;
 constexpr double kClearedUnmapped = 0.35;
 constexpr int kFirstJudgement = 20;
-constexpr int kFewOutOf = 5;              // More than one sensor in so many: it is the place that is wrong, or the room.
+constexpr int kFewOutOf = 5;              // More than one sensor in so many: the place is wrong, or the room.
 
 }  // namespace
 
@@ -29,7 +29,8 @@ double SensorHealth::trust(int sensor, bool echo) noexcept {
     return 1.0;
   }
   ++silent_run_;
-  return std::clamp(static_cast<double>(kStrangeSilence - silent_run_) / (kStrangeSilence - kOrdinarySilence), 0.0, 1.0);
+  const auto left = static_cast<double>(kStrangeSilence - silent_run_);
+  return std::clamp(left / (kStrangeSilence - kOrdinarySilence), 0.0, 1.0);
 }
 
 void SensorHealth::judge(int sensor, bool echo, double range, double progress, double unmapped) noexcept {
@@ -69,7 +70,7 @@ void SensorHealth::judge(int sensor, bool echo, double range, double progress, d
   if (r.suspect || was) list_suspicions();
 }
 
-// Whoever is lost finds every reading unexplained. Blaming the sensors for it would take away the evidence that leads back.
+// Whoever is lost finds all readings unexplained. Blaming the sensors would take away the evidence that leads back.
 bool SensorHealth::too_many(SensorSuspicion::Kind kind) const noexcept {
   int suspects = 0;
   for (int i = 0; i < sensors_; ++i) {

@@ -12,13 +12,13 @@ class SensorHealth {
  public:
   explicit SensorHealth(int sensors) noexcept : sensors_(sensors) {}
 
-  /// Trust in a reading before the map is asked, 0 ... 1. A covered belt hears nothing from any sensor, which says nothing
-  /// about the place: after a run of silence longer than rooms produce, silence stops being evidence. Readings of a
-  /// suspect sensor count for nothing.
+  /// Trust in a reading before the map is asked, 0 ... 1. A covered belt hears nothing from any sensor, which says
+  /// nothing about the place: after a run of silence longer than rooms produce, silence stops being evidence. Readings
+  /// of a suspect sensor count for nothing.
   [[nodiscard]] double trust(int sensor, bool echo) noexcept;
 
-  /// Judges the reading afterwards. `progress` grows by one whenever the wearer has moved or turned enough for a sensor to
-  /// see something else; `unmapped` is the probability that nothing in the plan answered, 0 when that is not known.
+  /// Judges the reading afterwards. `progress` grows by one whenever the wearer has moved or turned enough for a sensor
+  /// to see something else; `unmapped` is the probability that nothing in the plan answered, 0 when that is not known.
   void judge(int sensor, bool echo, double range, double progress, double unmapped) noexcept;
 
   [[nodiscard]] std::span<const SensorSuspicion> suspicions() const noexcept { return {suspicions_.data(), count_}; }

@@ -6,8 +6,8 @@
 
 namespace echoway::tracker {
 
-/// What a gyroscope reads while its wearer stands: its bias (a zero-rate update, as in pedestrian dead reckoning with foot-mounted
-/// sensors: Foxlin 2005).
+/// What a gyroscope reads while its wearer stands: its bias (a zero-rate update, as in pedestrian dead reckoning with
+/// foot-mounted sensors: Foxlin 2005).
 class StillRate {
  public:
   /// A reading, rad/s; `stepping` when steps were heard lately.

@@ -80,7 +80,8 @@ double worst_sigma(double xx, double xy, double yy) noexcept {
   return std::sqrt(std::max(0.0, half + spread));
 }
 
-Hypothesis to_hypothesis(const Cluster& c, const Building& building, const SummaryParameters& parameters, Estimate* full) noexcept {
+Hypothesis to_hypothesis(const Cluster& c, const Building& building, const SummaryParameters& parameters,
+                         Estimate* full) noexcept {
   const double scale = c.weight > 0.0 ? 1.0 / c.weight : 0.0;
   const Vec2 mean = scale * c.offset;
   const double factor2 = parameters.sigma_factor * parameters.sigma_factor;
@@ -119,11 +120,11 @@ Hypothesis to_hypothesis(const Cluster& c, const Building& building, const Summa
 // A place less likely than this is no hypothesis; the means of one of denormal weight would not even be finite.
 constexpr double kLeastProbability = 1e-12;
 
-// Of a room that is known while the place in it is not (a featureless hall, a symmetric room) the heaviest cluster alone
-// would be a confident lie: as long as it holds less than this share of the room's particles, all of them count.
+// Of a room that is known while the place in it is not (a featureless hall, a symmetric room) the heaviest cluster
+// alone would be a confident lie: as long as it holds less than this share of the room's particles, all of them count.
 constexpr double kOnePlace = 0.9;
 
-// The room's own probability, and the spread of all its particles about the reported position where no place stands out.
+// The room's own probability, and the spread of its particles about the reported position where no place stands out.
 void describe_room(std::span<const Particle> particles, const SummaryParameters& parameters, Estimate& best) noexcept {
   double weight = 0.0, near = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
   for (const Particle& p : particles) {
@@ -148,7 +149,8 @@ void describe_room(std::span<const Particle> particles, const SummaryParameters&
 
 }  // namespace
 
-Summary summarize(std::span<const Particle> particles, const Building& building, const SummaryParameters& parameters) noexcept {
+Summary summarize(std::span<const Particle> particles, const Building& building,
+                  const SummaryParameters& parameters) noexcept {
   Summary summary;
   std::array<Cluster, Summary::kMaxClusters> clusters;
   int count = 0;
@@ -174,15 +176,16 @@ Summary summarize(std::span<const Particle> particles, const Building& building,
   }
   // Insertion sort: a dozen at most, and std::stable_sort would allocate.
   for (int i = 1; i < count; ++i) {
-    for (int j = i; j > 0 && clusters[static_cast<std::size_t>(j)].weight > clusters[static_cast<std::size_t>(j - 1)].weight; --j) {
-      std::swap(clusters[static_cast<std::size_t>(j)], clusters[static_cast<std::size_t>(j - 1)]);
+    for (auto j = static_cast<std::size_t>(i); j > 0 && clusters[j].weight > clusters[j - 1].weight; --j) {
+      std::swap(clusters[j], clusters[j - 1]);
     }
   }
   while (count > 1 && clusters[static_cast<std::size_t>(count - 1)].weight < kLeastProbability) --count;
   summary.count = count;
   for (int i = 0; i < count; ++i) {
     const Cluster& c = clusters[static_cast<std::size_t>(i)];
-    summary.hypotheses[static_cast<std::size_t>(i)] = to_hypothesis(c, building, parameters, i == 0 ? &summary.best : nullptr);
+    summary.hypotheses[static_cast<std::size_t>(i)] =
+        to_hypothesis(c, building, parameters, i == 0 ? &summary.best : nullptr);
   }
   if (count > 0) {
     describe_room(particles, parameters, summary.best);

@@ -11,7 +11,7 @@ namespace {
 constexpr double kOdds = 0.1;             // Of all twins of a place together, against it.
 constexpr std::size_t kEach = 5;          // One particle of so many is enough to tell where the twin is.
 constexpr double kSquare = 1.1;           // A room whose sides differ by no more may look the same turned by a quarter.
-constexpr std::array<Vec2, 3> kTurns{{{-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}};   // Cosines and sines: half a turn, quarters.
+constexpr std::array<Vec2, 3> kTurns{{{-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}};   // Cosine, sine: half a turn, quarters.
 
 // By which a room may look the same.
 std::span<const Vec2> turns_of(const scene::RoomScene& room) noexcept {

@@ -17,16 +17,9 @@ constexpr std::ptrdiff_t kColumns = 120;  // As .clang-format says; Kotlin has t
 
 const fs::path kRoot = ECHOWAY_ROOT_DIR;
 
-// Folders that still have longer lines.
-const std::vector<std::string> kExceptions = {"core-native/src/tracker/"};
-
 bool is_source(const fs::path& file) {
   const std::string extension = file.extension().string();
   return extension == ".cpp" || extension == ".hpp" || extension == ".kt" || extension == ".kts";
-}
-
-bool is_exception(const std::string& file) {
-  return std::ranges::any_of(kExceptions, [&](const std::string& folder) { return file.starts_with(folder); });
 }
 
 /// Characters of a line in UTF-8, which goes on in bytes that begin with the bits 10.
@@ -39,8 +32,8 @@ std::vector<std::string> long_lines(const fs::path& folder) {
   std::vector<std::string> found;
   for (auto entry = fs::recursive_directory_iterator(folder); entry != fs::recursive_directory_iterator(); ++entry) {
     if (entry->is_directory() && entry->path().filename() == "build") entry.disable_recursion_pending();
+    if (!entry->is_regular_file() || !is_source(entry->path())) continue;
     const std::string name = fs::relative(entry->path(), kRoot).generic_string();
-    if (!entry->is_regular_file() || !is_source(entry->path()) || is_exception(name)) continue;
     std::ifstream in(entry->path());
     int number = 0;
     for (std::string line; std::getline(in, line);) {
