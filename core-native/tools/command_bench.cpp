@@ -42,6 +42,7 @@ struct Outcome {
   double right_room = 0.0;
   double heading_rad = 0.0;
   double cpu_us = 0.0;  // a firing
+  double median_us = 0.0;
 };
 
 std::vector<Contestant> contestants() {
@@ -77,6 +78,7 @@ Outcome contest(const Contestant& contestant, const Building& building, const st
     all.firing_us.insert(all.firing_us.end(), track.firing_us.begin(), track.firing_us.end());
   }
   outcome.cpu_us = all.cpu_us();
+  outcome.median_us = report::quantile(all.firing_us, 0.5);
   return outcome;
 }
 
@@ -118,20 +120,21 @@ int bench(const BenchOptions& options) {
     csv = std::move(*file);
   }
   const double floor = median_floor(*building, *walks);
-  report::Table table("method,hints,particles,mean_m,worst_walk_m,right_room,heading_deg,cpu_us_a_firing");
+  report::Table table(
+      "method,hints,particles,mean_m,worst_walk_m,right_room,heading_deg,cpu_us_a_firing,median_us_a_firing");
   std::FILE* const out = words_beside({options.csv});
   fmt::print(out, "{} walks of about {:.0f} s; Cramer-Rao floor of one scan {:.3f} m (median)\n", options.walks,
              options.seconds, floor);
-  fmt::print(out, "{:8} {:>6} {:>10} {:>9} {:>12} {:>11} {:>9} {:>13}\n", "method", "hints", "particles", "mean, m",
-             "worst walk, m", "right room", "heading", "us a firing");
+  fmt::print(out, "{:8} {:>6} {:>10} {:>9} {:>12} {:>11} {:>9} {:>13} {:>8}\n", "method", "hints", "particles",
+             "mean, m", "worst walk, m", "right room", "heading", "us a firing", "median");
   for (const Contestant& c : contestants()) {
     const Outcome o = contest(c, *building, *walks);
-    fmt::print(out, "{:8} {:>6} {:>10} {:>9.3f} {:>13.3f} {:>9.1f} % {:>5.1f} deg {:>13.1f}\n", c.method,
+    fmt::print(out, "{:8} {:>6} {:>10} {:>9.3f} {:>13.3f} {:>9.1f} % {:>5.1f} deg {:>13.1f} {:>8.1f}\n", c.method,
                c.hints ? "yes" : "no", c.particles, o.mean_m, o.worst_walk_m, 100.0 * o.right_room,
-               to_degrees(o.heading_rad), o.cpu_us);
+               to_degrees(o.heading_rad), o.cpu_us, o.median_us);
     using report::fixed;
     table.add(c.method, c.hints ? 1 : 0, c.particles, fixed(o.mean_m, 4), fixed(o.worst_walk_m, 4),
-              fixed(o.right_room, 4), fixed(to_degrees(o.heading_rad), 2), fixed(o.cpu_us, 2));
+              fixed(o.right_room, 4), fixed(to_degrees(o.heading_rad), 2), fixed(o.cpu_us, 2), fixed(o.median_us, 2));
   }
   if (!csv) return kDone;
   const BayesOptions defaults;
