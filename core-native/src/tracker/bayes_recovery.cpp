@@ -130,7 +130,8 @@ void BayesLocator::Core::look_in_a_circle(SearchDomain& domain, std::uint64_t be
   domain.near_room = estimate_.room;
   domain.near_position = here.position;
   const int circle = fit_.poor() ? fruitless_ % kCircles : 0;
-  domain.least_gain = circle == 0 ? kLogLeastGain : kLogLeastGainFar;
+  // Without a gyroscope a wrong belief turns to whatever fits, and little is better for a while.
+  if (gyro_) domain.least_gain = circle == 0 ? kLogLeastGain : kLogLeastGainFar;
   if (circle == 0) domain.within = kRoundAbout;
   if (circle == 1) domain.within = kNearby;
   if (circle == 0 && gyro_) domain.near_heading = turned_back(here.heading, begin);
