@@ -43,6 +43,9 @@ constexpr double kLogHopeless = -3.0;
 constexpr double kLogFoundNear = -3.0;
 constexpr double kLogFoundFar = -1.0;
 
+// Whether a search against a belief goes beyond what is near it.
+bool looks_far(const SearchDomain& domain) noexcept { return domain.least_gain == kLogLeastGainFar; }
+
 }  // namespace
 
 SearchTools BayesLocator::Core::tools() const {
@@ -80,7 +83,7 @@ void BayesLocator::Core::pursue_search() {
 
 // A belief that fits again is not searched against far and wide.
 bool BayesLocator::Core::is_search_needless() const {
-  return search_.running() && search_.domain().least_gain == kLogLeastGainFar && !fit_.poor();
+  return search_.running() && looks_far(search_.domain()) && !fit_.poor();
 }
 
 // While the belief explains the echoes one rival at a time is enough; else it is searched against all the while.
@@ -105,7 +108,7 @@ void BayesLocator::Core::start_recovery() {
     domain.reckoning = &reckoning_;
   } else {
     look_in_a_circle(domain, begin);
-    if (domain.least_gain == kLogLeastGainFar && poor_for_ < kPoorForFar) return;
+    if (looks_far(domain) && poor_for_ < kPoorForFar) return;
   }
   search_.start(domain, begin, now);
 }
