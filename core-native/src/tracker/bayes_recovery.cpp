@@ -14,7 +14,7 @@ constexpr std::uint64_t kBlindRecoveryWindow = 20;   // The same without a gyros
 constexpr std::uint64_t kSearchPause = 48;           // Firings between searches,
 constexpr int kMostDoublings = 3;                    // doubled so often at most while they find nothing;
 constexpr std::uint64_t kPoorPause = 16;             // against a belief that does not fit, doubled after all circles,
-constexpr std::uint64_t kBlindPoorPause = 8;         // never so without a gyroscope for a wrong belief to lean on,
+constexpr std::uint64_t kBlindPoorPause = 8;         // never doubled without a gyroscope,
 constexpr std::uint64_t kUnconfirmedPause = 24;      // while no place has proved itself yet,
 constexpr std::uint64_t kBlindUnconfirmedPause = 32; // and both.
 constexpr int kSecondOpinions = 3;                   // Searches in vain until what looks right is left to prove itself.
@@ -26,8 +26,8 @@ constexpr double kRoundAbout = 3.0;                  // Metres.
 constexpr double kNearby = 12.0;
 constexpr int kPoorForFar = 16;                      // Firings that a belief fits badly before far places are tried.
 constexpr double kHeadingStep = degrees(8.0);
-constexpr double kLogLeastGain = 3.0;                // What a coarse look finds about the belief's place, and
-constexpr double kLogLeastGainFar = 6.0;             // elsewhere, is dropped unless so much better than the belief.
+constexpr double kLogLeastGain = 0.0;                // What a coarse look finds about the belief's place, and
+constexpr double kLogLeastGainFar = 4.0;             // elsewhere, is dropped unless better than the belief by so much.
 
 // Log odds that the belief is wrong and what was found instead is right, before its probation: a belief that still fits
 // somehow is seldom wrong by a little and hardly ever by much.
