@@ -41,8 +41,8 @@ struct Outcome {
   double worst_walk_m = 0.0;
   double right_room = 0.0;
   double heading_rad = 0.0;
-  double cpu_us = 0.0;  // a firing
-  double median_us = 0.0;
+  double cpu_us = 0.0;     // a firing, in the mean;
+  double median_us = 0.0;  // half of them cost less
 };
 
 std::vector<Contestant> contestants() {

@@ -16,6 +16,7 @@ class LiveBelt {
   /// session may have something to say. The session must outlive it.
   LiveBelt(Session& session, std::function<double()> host_s, std::function<void()> on_news);
 
+  /// `on_news` waits for the first sentence or tick.
   void attach();
   void detach();
   /// Time passes, whether or not the belt sends.
