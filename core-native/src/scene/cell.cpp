@@ -46,7 +46,8 @@ Arc directions(const Reflector& r, const Candidate& c, const Box& box) noexcept 
   const Segment goal = r.kind == ReflectorKind::mirrored_corner ? Segment{r.a, r.a} : c.feet;
   const Vec2 middle = 0.5 * (goal.a + goal.b);
   const Vec2 reference = middle - centre;
-  // The outermost on either side; which is told without angles, as most are within a right angle of the reference.
+  // The outermost on either side, told without angles: all are within a right angle of the reference, or the sound may
+  // come from anywhere.
   Vec2 right{1.0, 0.0}, left{1.0, 0.0};   // Along the reference and aside.
   for (Vec2 corner : box) {
     for (Vec2 f : {goal.a, goal.b}) {
@@ -65,6 +66,7 @@ Arc directions(const Reflector& r, const Candidate& c, const Box& box) noexcept 
 std::uint32_t sectors_near(const Arc& arc, double reach) noexcept {
   constexpr double kWidth = kTwoPi / Cell::kSectors;
   constexpr double kSlack = 1e-9;
+  static_assert(Cell::kSectors == 32, "one for each bit of the mask");
   const double half = 0.5 * (arc.width + kWidth) + reach + kSlack;
   if (half >= kPi) return ~std::uint32_t{0};
   const double middle = arc.begin + 0.5 * arc.width;

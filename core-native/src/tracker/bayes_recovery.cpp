@@ -43,7 +43,7 @@ constexpr double kLogHopeless = -3.0;
 constexpr double kLogFoundNear = -3.0;
 constexpr double kLogFoundFar = -1.0;
 
-// Whether a search against a belief goes beyond what is near it.
+// Whether a search that has a belief to beat goes beyond what is round about it.
 bool looks_far(const SearchDomain& domain) noexcept { return domain.least_gain == kLogLeastGainFar; }
 
 }  // namespace

@@ -33,7 +33,7 @@ MotionParameters motion_parameters(const TrackerParts& parts) {
   return p;
 }
 
-// A place that is kept in mind takes no more than the one that is tracked.
+// With a gyroscope a place that is kept in mind takes no more than the one that is tracked.
 Modes::Parameters mode_parameters(const BayesOptions& options) {
   Modes::Parameters p;
   p.fewest = std::min(p.fewest, static_cast<std::size_t>(std::max(options.particles, 1)));

@@ -65,11 +65,12 @@ class Search {
   void stop() noexcept { phase_ = Phase::idle; }
   [[nodiscard]] bool running() const noexcept { return phase_ == Phase::sweeping || phase_ == Phase::refining; }
 
-  /// Works for one slice. Returns true when what was found stands at the present and may be taken.
+  /// Works for one slice. Returns true when it is over: what was found stands at the present and may be taken, or the
+  /// sweep found nothing that beats the belief, and log_evidence() is lower than any likelihood.
   bool work(const SearchTools& tools, Random& random) noexcept;
 
   /// Puts what was found into `out`, at most its capacity; with the twins of every place (twins.hpp) when it was looked
-  /// for all round, in a room or everywhere.
+  /// for all round, in a room or everywhere. REQUIRES: the search is over and has found something.
   void take(Population& out, const SearchTools& tools, Random& random) noexcept;
   [[nodiscard]] const SearchDomain& domain() const noexcept { return domain_; }
   /// Of the building's rooms, square metres.
@@ -86,7 +87,7 @@ class Search {
     Vec2 position{};                     ///< Of its cell's centre at the window's begin.
     double heading = 0.0;
     double log_likelihood = 0.0;
-    std::uint64_t lot = 0;               ///< Decides between equals, of which a long hall has many; no two are alike.
+    std::uint64_t lot = 0;               ///< Decides between equals, of which a long hall has many: each has its own.
   };
   [[nodiscard]] bool heading_is_known() const noexcept {
     return domain_.heading || domain_.near_heading || domain_.level_heading;
