@@ -44,7 +44,7 @@ constexpr double kLogFoundNear = -3.0;
 constexpr double kLogFoundFar = -1.0;
 
 // Whether a search that has a belief to beat goes beyond what is round about it.
-bool looks_far(const SearchDomain& domain) noexcept { return domain.least_gain == kLogLeastGainFar; }
+bool looks_far(const SearchDomain& domain) noexcept { return domain.least_gain && domain.within != kRoundAbout; }
 
 }  // namespace
 
@@ -81,7 +81,8 @@ void BayesLocator::Core::pursue_search() {
   }
 }
 
-// A belief that fits again is not searched against far and wide.
+// A belief that fits again is not searched against far and wide; nor is one that has just taken another's place, by
+// what that one made of the echoes.
 bool BayesLocator::Core::is_search_needless() const {
   return search_.running() && looks_far(search_.domain()) && !fit_.poor();
 }
