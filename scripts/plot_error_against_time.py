@@ -90,9 +90,10 @@ def page(floor, defaults, rows, plot, building):
               f"{floor / FEET:.2f} ft at the median of these walks' poses. A tracker joins many scans and may pass below it; "
               "unmapped furniture, which the floor does not know, pushes it up.", "",
               "The tracker adds particles by itself while its place is uncertain, so a smaller budget that loses the wearer "
-              "more often can cost more time than a larger one that holds. A search costs as much as hundreds or thousands of "
-              "firings that know the place: with few particles half of all firings cost far less than the mean. The thesis's method is followed without being "
-              "restarted: once it has lost the wearer it stays lost, which is what its figures show.", ""]
+              "more often can cost more time than a larger one that holds. A search costs as much as hundreds or thousands "
+              "of firings that know the place: with few particles half of all firings cost far less than the mean. The "
+              "thesis's method is followed without being restarted: once it has lost the wearer it stays lost, which is "
+              "what its figures show.", ""]
     return "\n".join(lines)
 
 

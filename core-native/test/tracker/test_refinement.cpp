@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tracker/plans.hpp"
+#include "tracker/searching.hpp"
 
 namespace echoway::tracker {
 namespace {
@@ -12,13 +13,12 @@ constexpr Vec2 kHere{1.5, kAside};
 constexpr Vec2 kThere{1.5, test::kFarCorner.y - kAside};
 constexpr int kAhead = 0, kLeft = 4;  // Sensors.
 
-class RefinementTest : public ::testing::Test {
+class RefinementTest : public SearchingTest {
  protected:
+  RefinementTest() : SearchingTest(test::plain_hall()) {}
+
   void hear(int sensor, double to_wall) {
-    Record record;
-    record.interval.seconds = belt_.slot_s;
-    record.interval.turn_known = true;
-    record.sensor = sensor;
+    Record record = record_of(sensor);
     record.echo = true;
     record.range = to_wall - belt_.radius_m;
     history_.push(record);
@@ -37,21 +37,12 @@ class RefinementTest : public ::testing::Test {
       p.cov.kk = 1e-5;
       refinement.population().push(p);
     }
-    const SearchTools tools{model_, scene_, motion_, belt_, history_, hall_, 0.0, 0.004, 0.0, 0.5};
-    while (!refinement.work(tools, random_, 10000, 1)) {
+    while (!refinement.work(tools(), random_, 10000, 1)) {
     }
     double there = 0.0;
     for (const Particle& p : refinement.population().particles()) there += p.position.y > 1.5 ? p.weight : 0.0;
     return there;
   }
-
-  Building hall_ = test::plain_hall();
-  BeltConfig belt_;
-  EchoModel model_{belt_, EchoModelParameters{}};
-  scene::Scene scene_{hall_, model_.sight_limits()};
-  MotionParameters motion_;
-  History history_;
-  Random random_{1};
 };
 
 // A cupboard is heard again and again: what it says for a place must not count as if it were new each time.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tracker/plans.hpp"
+#include "tracker/searching.hpp"
 
 namespace echoway::tracker {
 namespace {
@@ -16,9 +17,9 @@ constexpr double kFarOff = -4.0;    // Log of how much worse a belief fits that 
 constexpr double kWorthRefining = -1e6;
 
 /// Somebody who stands in an office and hears what its plan says.
-class SearchTest : public ::testing::Test {
+class SearchTest : public SearchingTest {
  protected:
-  SearchTest() {
+  SearchTest() : SearchingTest(test::small_office()) {
     for (int pass = 0; pass < 2; ++pass) {
       for (int sensor = 0; sensor < belt_.sensors; ++sensor) hear(sensor);
     }
@@ -56,15 +57,6 @@ class SearchTest : public ::testing::Test {
     return weight;
   }
 
-  SearchTools tools() { return {model_, scene_, motion_, belt_, history_, office_, 0.0, 0.004, 0.0, 0.5}; }
-
-  Building office_ = test::small_office();
-  BeltConfig belt_;
-  EchoModel model_{belt_, EchoModelParameters{}};
-  scene::Scene scene_{office_, model_.sight_limits()};
-  MotionParameters motion_;
-  History history_;
-  Random random_{1};
   Search search_{scene_, Search::Parameters{}};
 
  private:
@@ -83,10 +75,7 @@ class SearchTest : public ::testing::Test {
   }
 
   void hear(int sensor) {
-    Record record;
-    record.interval.seconds = belt_.slot_s;
-    record.interval.turn_known = true;
-    record.sensor = sensor;
+    Record record = record_of(sensor);
     const ExpectedEchoes expected = expect(wearer(), shot_of_sensor(record), model_, scene_);
     record.echo = expected.count > 0;
     if (record.echo) record.range = expected.echo[0].range;

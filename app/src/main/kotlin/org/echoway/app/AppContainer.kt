@@ -132,9 +132,7 @@ open class PhoneContainer(private val context: Context) : AppContainer {
     }
 
     private suspend fun recordedWalk(name: String?) = withContext(Dispatchers.IO) {
-        // The name comes from settings; only files of our own folder may be read.
-        val file = recordings.folder.listFiles().orEmpty().firstOrNull { it.name == name }
-            ?: throw IOException("there is no such recording")
+        val file = recordings.folder.entry(name) ?: throw IOException("there is no such recording")
         val motion = File(file.parentFile, file.name.removeSuffix(Recordings.SCANS) + Recordings.MOTION)
         WalkLog.read(file.bufferedReader(), motion.takeIf { it.isFile && it != file }?.bufferedReader())
     }

@@ -11,6 +11,7 @@ import kotlinx.coroutines.flow.update
 import kotlinx.coroutines.sync.Mutex
 import kotlinx.coroutines.sync.withLock
 import kotlinx.coroutines.withContext
+import org.echoway.app.entry
 import org.echoway.core.BuildingCheck
 import org.echoway.core.CoreException
 import org.echoway.core.Finding
@@ -69,8 +70,7 @@ class BuildingLibrary(private val bundled: Buildings, private val home: File, pr
         imported
     }
 
-    /** An id comes from settings; only a name of one of our own folders may be followed. */
-    private fun own(id: String): File? = home.listFiles().orEmpty().firstOrNull { it.name == id }
+    private fun own(id: String): File? = home.entry(id)
 
     private fun load(folder: File): InstalledBuilding? = try {
         InstalledBuilding(folder.name, folder, PlanLoader.load(folder), imported = true)

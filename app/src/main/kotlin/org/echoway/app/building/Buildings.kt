@@ -7,6 +7,7 @@ import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.sync.Mutex
 import kotlinx.coroutines.sync.withLock
 import kotlinx.coroutines.withContext
+import org.echoway.app.entry
 import org.echoway.core.CoreException
 import org.echoway.core.Plan
 import org.echoway.core.PlanLoader
@@ -47,8 +48,7 @@ class BundledBuildings(private val context: Context, installed: Long) : Building
 
     override suspend fun folder(id: String): File? = withContext(Dispatchers.IO) {
         install()
-        // An id comes from settings; only a name of one of our own folders may be followed.
-        folder.listFiles().orEmpty().firstOrNull { it.name == id }
+        folder.entry(id)
     }
 
     private fun load(building: File): InstalledBuilding? = try {
