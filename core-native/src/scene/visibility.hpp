@@ -105,9 +105,10 @@ class Hull {
 struct Bounds : echoway::Box {
   [[nodiscard]] Bounds grown(double by) const noexcept { return {{low - Vec2{by, by}, high + Vec2{by, by}}}; }
   [[nodiscard]] bool misses(const Segment& s) const noexcept {
-    const bool aside = (std::max(s.a.x, s.b.x) < low.x) | (std::min(s.a.x, s.b.x) > high.x);
-    const bool apart = (std::max(s.a.y, s.b.y) < low.y) | (std::min(s.a.y, s.b.y) > high.y);
-    return aside | apart;   // Which it is nobody can predict: all four at once cost less than a wrong guess.
+    // Which of the four it is nobody can predict: all at once cost less than a wrong guess.
+    const int left = std::max(s.a.x, s.b.x) < low.x, right = std::min(s.a.x, s.b.x) > high.x;
+    const int below = std::max(s.a.y, s.b.y) < low.y, above = std::min(s.a.y, s.b.y) > high.y;
+    return (left | right | below | above) != 0;
   }
 };
 
