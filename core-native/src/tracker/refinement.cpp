@@ -98,7 +98,7 @@ void Refinement::close_round(const SearchTools& tools, Random& random) noexcept 
 // Particles where the first firings point to make room for what the later ones need.
 void Refinement::resample(const SearchTools& tools, Random& random) noexcept {
   const std::size_t cells = population_.occupied_cells();
-  const std::size_t target = std::clamp(kParticlesPerCell * cells, kFewest, population_.size());
+  const std::size_t target = std::min(std::max(kParticlesPerCell * cells, kFewest), population_.size());
   const bool heard_twice = reached_ >= first_ + 2 * static_cast<std::uint64_t>(tools.belt.sensors);
   if (in_modes_ && heard_twice && cells <= kFewCells) {
     const Summary summary = summarize(population_.particles(), tools.building, SummaryParameters{});
