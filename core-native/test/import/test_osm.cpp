@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <initializer_list>
@@ -230,6 +231,65 @@ TEST(Osm, PiecesThatDoNotCloseAreListedAndWhatDoesCloseIsARoom) {
   EXPECT_TRUE(plan.unresolved(id, "a hole of way " + std::to_string(slit) + " and 1 more does not close: left out"));
   EXPECT_TRUE(plan.unresolved(id, "member " + std::to_string(gone) + " is no way of the file: left out"));
   EXPECT_THAT(plan.report.items(), SizeIs(3));
+}
+
+// Which pieces belong together is not to be told then: the same ones in whatever order a program saved them.
+TEST(Osm, OfThreePiecesBetweenTwoNodesTheSameOnesCloseInAnyOrder) {
+  std::vector<std::size_t> order{0, 1, 2};
+  do {
+    DrawnPlan drawn;
+    const long begin = drawn.node({0, 5}), end = drawn.node({6, 5});
+    std::vector<long> ways;
+    for (const double north : {5.0, 9.0, 12.0}) {
+      ways.push_back(drawn.way({begin, drawn.node({0, north}), drawn.node({6, north}), end}, ""));
+    }
+    std::string members;
+    for (const std::size_t i : order) members += DrawnPlan::member(ways[i], "outer");
+    const long room = drawn.relation(members, DrawnPlan::tag("type", "multipolygon") + DrawnPlan::room_tags("North"));
+    drawn.door({3, 5});
+    const ImportedPlan plan = drawn.import();
+    ASSERT_NE(plan.room("0-north"), nullptr);
+    EXPECT_NEAR(floor_area(*plan.room("0-north")), 24.0, 0.05);
+    EXPECT_TRUE(plan.unresolved(DrawnPlan::id_of("relation", room),
+                                "an outline of way " + std::to_string(ways[2]) + " does not close: left out"));
+  } while (std::next_permutation(order.begin(), order.end()));
+}
+
+// As by those who said it on what they drew first.
+TEST(Osm, ARoomWhoseOutlineSaysThatItIsOneIsThereOnceAndNothingIsListed) {
+  for (const bool in_pieces : {false, true}) {
+    SCOPED_TRACE(in_pieces);
+    DrawnPlan drawn;
+    const std::vector<long> ring = drawn.ring({{0, 5}, {6, 5}, {6, 9}, {0, 9}});
+    const long column = drawn.way(drawn.ring({{2, 6}, {3, 6}, {3, 7}, {2, 7}}), "");
+    std::string members = DrawnPlan::member(column, "inner");
+    if (in_pieces) {
+      const long south = drawn.way({ring[0], ring[1], ring[2]}, DrawnPlan::room_tags("North"));
+      const long north = drawn.way({ring[2], ring[3], ring[0]}, DrawnPlan::tag("indoor", "room"));
+      members += DrawnPlan::member(south, "outer") + DrawnPlan::member(north, "outer");
+    } else {
+      members += DrawnPlan::member(drawn.way(ring, DrawnPlan::room_tags("North")), "outer");
+    }
+    drawn.relation(members, DrawnPlan::tag("type", "multipolygon") + DrawnPlan::room_tags("North"));
+    drawn.door({5, 5});
+    const ImportedPlan plan = drawn.import();
+    EXPECT_THAT(plan.room_ids(), UnorderedElementsAre("0-west", "0-east", "0-north"));
+    ASSERT_NE(plan.room("0-north"), nullptr);
+    EXPECT_NEAR(floor_area(*plan.room("0-north")), 23.0, 0.05);
+    EXPECT_THAT(plan.report.items(), SizeIs(0));
+  }
+}
+
+// A room in the middle of another, as the hole in which it stands.
+TEST(Osm, AHoleThatIsARoomIsOne) {
+  DrawnPlan drawn;
+  const long outline = drawn.way(drawn.ring({{0, 5}, {6, 5}, {6, 9}, {0, 9}}), "");
+  const long cabin = drawn.room("North", {{2, 6}, {4, 6}, {4, 8}, {2, 8}});
+  drawn.relation(DrawnPlan::member(outline, "outer") + DrawnPlan::member(cabin, "inner"),
+                 DrawnPlan::tag("type", "multipolygon") + DrawnPlan::room_tags("North"));
+  drawn.door({1, 5});
+  drawn.door({3, 6});
+  EXPECT_THAT(drawn.import().room_ids(), UnorderedElementsAre("0-west", "0-east", "0-north", "0-north-2"));
 }
 
 // It would otherwise be gone without a word, or be a room by itself.

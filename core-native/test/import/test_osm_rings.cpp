@@ -44,6 +44,14 @@ TEST(OsmRings, AWayThatLeadsNowhereIsLeftOverAndKeepsNoOtherFromClosing) {
   EXPECT_THAT(joined.left_over, ElementsAre(0, 2, 3, 5));
 }
 
+TEST(OsmRings, OfThreeWaysBetweenTwoNodesTheFirstTwoClose) {
+  for (const Ways& ways : {Ways{{1, 2, 9}, {1, 3, 9}, {1, 4, 9}}, Ways{{1, 2, 9}, {9, 3, 1}, {9, 4, 1}}}) {
+    const OsmRings joined = join_into_rings(ways);
+    EXPECT_THAT(joined.rings, ElementsAre(ElementsAre(1, 2, 9, 3)));
+    EXPECT_THAT(joined.left_over, ElementsAre(2));
+  }
+}
+
 TEST(OsmRings, HaveThreeCornersOrMore) {
   const OsmRings joined = join_into_rings({{1, 2}, {2, 1}, {3, 4, 3}, {5}, {6, 6}});
   EXPECT_THAT(joined.rings, IsEmpty());

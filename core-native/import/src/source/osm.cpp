@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -60,6 +61,7 @@ class Reader {
 
   Plan read() {
     plan_.file = document_.file;
+    for (const auto& [id, relation] : document_.relations) find_what_only_outlines(relation);
     for (const auto& [id, way] : document_.ways) read_way(id, way);
     for (const auto& [id, relation] : document_.relations) read_relation(id, relation);
     for (const auto& [id, node] : document_.nodes) read_node(id, node);
@@ -122,13 +124,17 @@ class Reader {
     const Source from = source("way", id, way.line);
     remember_building(way.tags);
     if (!is_indoor(way.tags)) return;
+    if (only_outlines_.count(id) == 0) place_way(way, from);
+    if (tag(way.tags, "indoor") == "room" || tag(way.tags, "indoor") == "wall" || has(way.tags, "level")) {
+      put_on_levels(way.nodes, levels_of(way.tags, from));
+    }
+  }
+
+  void place_way(const OsmWay& way, const Source& from) {
     if (closed(way)) {
       place_area(way.tags, from, {{ring_of(way.nodes, from), {}}});
     } else {
       place_line(way.tags, from, path_of(way.nodes, from));
-    }
-    if (tag(way.tags, "indoor") == "room" || tag(way.tags, "indoor") == "wall" || has(way.tags, "level")) {
-      put_on_levels(way.nodes, levels_of(way.tags, from));
     }
   }
 
@@ -145,28 +151,60 @@ class Reader {
     if (has(tags, "building") && plan_.name.empty()) plan_.name = tag(tags, "name");
   }
 
+  // OpenStreetMap counts up, and what JOSM has not put into it yet counts down from -1.
+  static bool is_older(OsmId a, OsmId b) {
+    const bool new_a = a < 0, new_b = b < 0;
+    if (new_a != new_b) return new_b;
+    return new_a ? a > b : a < b;
+  }
+
+  static bool is_area(const OsmRelation& relation) {
+    return tag(relation.tags, "type") == "multipolygon" && is_indoor(relation.tags);
+  }
+
+  // A multipolygon's ways are something else only where they "describe something in their own right". A piece cannot be
+  // a room, and an outline that says no more than the relation does is none besides it. What fills a hole is.
+  void find_what_only_outlines(const OsmRelation& relation) {
+    if (!is_area(relation)) return;
+    for (const OsmMember& m : relation.members) {
+      const auto found = document_.ways.find(m.ref);
+      if (m.type != "way" || found == document_.ways.end()) continue;
+      const OsmWay& way = found->second;
+      const bool only_outlines = closed(way) ? m.role != "inner" && says_no_more(way.tags, relation.tags)
+                                             : unit_kind(way.tags) == UnitKind::room;
+      if (only_outlines) only_outlines_.insert(m.ref);
+    }
+  }
+
+  static bool says_no_more(const OsmTags& way, const OsmTags& relation) {
+    constexpr std::array kWhatItIs{"indoor", "level", "repeat_on", "name", "ref"};
+    const auto repeated = [&](const char* key) { return !has(way, key) || tag(way, key) == tag(relation, key); };
+    return unit_kind(way) == unit_kind(relation) && std::all_of(kWhatItIs.begin(), kWhatItIs.end(), repeated);
+  }
+
   void read_relation(OsmId id, const OsmRelation& relation) {
     const Source from = source("relation", id, relation.line);
     remember_building(relation.tags);
-    if (tag(relation.tags, "type") != "multipolygon" || !is_indoor(relation.tags)) return;
+    if (!is_area(relation)) return;
     Area area;
     for (Path& outline : rings_of(relation, false, from)) area.push_back({std::move(outline), {}});
     for (Path& hole : rings_of(relation, true, from)) put_into(area, std::move(hole));
     place_area(relation.tags, from, area);
   }
 
-  // Each once, though it be named twice.
+  // Each once, though it be named twice; the oldest first, in whatever order the file has them.
   std::vector<OsmId> member_ways(const OsmRelation& relation, bool holes, const Source& from) {
     std::vector<OsmId> ids;
-    std::set<OsmId> seen;
     for (const OsmMember& m : relation.members) {
       if ((m.role == "inner") != holes) continue;
       if (m.type != "way" || document_.ways.count(m.ref) == 0) {
         report_.unresolved(from, "", {}, "member " + std::to_string(m.ref) + " is no way of the file: left out");
-      } else if (seen.insert(m.ref).second) {
+      } else {
         ids.push_back(m.ref);
       }
     }
+    std::sort(ids.begin(), ids.end(), is_older);
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
     return ids;
   }
 
@@ -336,6 +374,7 @@ class Reader {
   std::map<double, PlanLevel> levels_;
   std::map<OsmId, std::set<double>> node_levels_;
   std::vector<Steps> steps_, elevators_;
+  std::set<OsmId> only_outlines_;     ///< Ways that are nothing by themselves, whatever they say.
   std::set<std::string> unreadable_;  ///< Features whose level was reported once.
 };
 

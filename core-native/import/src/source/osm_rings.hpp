@@ -15,6 +15,9 @@ struct OsmRings {
 /// Joins the ways of a multipolygon end to end, whichever way round each is drawn. A ring ends where it comes to an end
 /// node again, so that two rings that touch in one stay two. In order of the first way of each.
 ///
+/// Where more than two ways end at a node, that rule leaves open which belong together: the first of `ways` are joined
+/// first.
+///
 /// Ends meet where they are the same node, wherever that lies, as the rule of OpenStreetMap has it
 /// (https://wiki.openstreetmap.org/wiki/Relation:multipolygon). GEOS would join by place alone: what meets at a node
 /// that is not in the file would not.
