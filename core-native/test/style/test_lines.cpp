@@ -1,8 +1,9 @@
-// How the sources are written, of the core and of the app.
+// How the sources are written, of the core, of the app and of its build.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -13,13 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::ptrdiff_t kColumns = 120;  // As .clang-format says; Kotlin has the same.
+constexpr std::ptrdiff_t kColumns = 120;  // As .clang-format says; Kotlin and Java have the same.
 
 const fs::path kRoot = ECHOWAY_ROOT_DIR;
 
 bool is_source(const fs::path& file) {
   const std::string extension = file.extension().string();
-  return extension == ".cpp" || extension == ".hpp" || extension == ".kt" || extension == ".kts";
+  constexpr std::array kSources{".cpp", ".hpp", ".java", ".kt", ".kts"};
+  return std::ranges::find(kSources, extension) != kSources.end();
 }
 
 /// Characters of a line in UTF-8, which goes on in bytes that begin with the bits 10.

@@ -44,23 +44,32 @@ final class Apk {
         try {
             new Signer(workspace.build.resolve("debug.p12")).sign(unsigned, signed, Resources.MIN_SDK);
             ApkVerifier.Result result = new ApkVerifier.Builder(signed.toFile()).build().verify();
-            if (!result.isVerified()) throw new BuildFailure("the APK's signature does not verify: " + result.getErrors());
+            if (!result.isVerified()) {
+                throw new BuildFailure("the APK's signature does not verify: " + result.getErrors());
+            }
         } catch (GeneralSecurityException | ApkFormatException e) {
             throw new BuildFailure("cannot sign the APK: " + e);
         }
     }
 
     private void report(Path apk, List<Path> dex, Path nativeLibraries) throws IOException {
-        String badging = Exec.run("reading the APK", List.of(Resources.aapt2(workspace).toString(), "dump", "badging", apk.toString()));
-        badging.lines().filter(line -> line.startsWith("package:") || line.startsWith("launchable-activity:")).forEach(System.out::println);
+        String badging = Exec.run("reading the APK",
+                List.of(Resources.aapt2(workspace).toString(), "dump", "badging", apk.toString()));
+        badging.lines()
+                .filter(line -> line.startsWith("package:") || line.startsWith("launchable-activity:"))
+                .forEach(System.out::println);
         int methods = 0;
         for (Path file : dex) methods += methodReferences(file);
         System.out.printf("%s: %.2f MB, %d method references in %d dex files, signature verified%n",
                 workspace.root.relativize(apk), Files.size(apk) / 1e6, methods, dex.size());
         if (nativeLibraries == null) {
-            System.out.println("No NDK was found: the APK holds no native library and cannot locate anyone. Gradle with the NDK builds the whole app.");
+            System.out.println(
+                    "No NDK was found: the APK holds no native library and cannot locate anyone. "
+                            + "Gradle with the NDK builds the whole app.");
         }
-        System.out.println("usb-serial-for-android is not in this APK but a stand-in that knows no device: belts are replayed or simulated only.");
+        System.out.println(
+                "usb-serial-for-android is not in this APK but a stand-in that knows no device: "
+                        + "belts are replayed or simulated only.");
     }
 
     /** The count of method ids in a dex file's header. */

@@ -12,8 +12,8 @@ import java.util.zip.ZipFile;
 import java.util.zip.ZipOutputStream;
 
 /**
- * Lays out an APK. Stored entries begin at multiples of four bytes, native libraries at pages of 16 KiB, so that Android
- * can map them as they lie.
+ * Lays out an APK. Stored entries begin at multiples of four bytes, native libraries at pages of 16 KiB, so that
+ * Android can map them as they lie.
  */
 final class ApkPacker {
     private static final int WORD = 4;
@@ -44,7 +44,9 @@ final class ApkPacker {
         }
     }
 
-    /** Native libraries, assets and Java resources of libraries, and the app's own native libraries if there are any. */
+    /**
+     * Native libraries, assets and Java resources of libraries, and the app's own native libraries if there are any.
+     */
     void libraries(Libraries libraries, Path nativeLibraries) throws IOException {
         for (Path aar : libraries.aars()) {
             folder(aar.resolve("jni"), "lib/", true);
@@ -65,7 +67,8 @@ final class ApkPacker {
             for (ZipEntry entry : zip.stream().toList()) {
                 String name = entry.getName();
                 boolean service = name.startsWith("META-INF/services/");
-                boolean build = name.endsWith(".class") || name.startsWith("META-INF/") || name.endsWith(".kotlin_builtins") || name.endsWith(".proto");
+                boolean build = name.endsWith(".class") || name.startsWith("META-INF/")
+                        || name.endsWith(".kotlin_builtins") || name.endsWith(".proto");
                 if (entry.isDirectory() || (build && !service)) continue;
                 entries.putIfAbsent(name, new Content(zip.getInputStream(entry).readAllBytes(), false));
             }
@@ -74,7 +77,8 @@ final class ApkPacker {
 
     void write(Path apk) throws IOException {
         Files.createDirectories(apk.getParent());
-        try (CountingStream out = new CountingStream(Files.newOutputStream(apk)); ZipOutputStream zip = new ZipOutputStream(out)) {
+        try (CountingStream out = new CountingStream(Files.newOutputStream(apk));
+                ZipOutputStream zip = new ZipOutputStream(out)) {
             for (var each : entries.entrySet()) {
                 ZipEntry entry = new ZipEntry(each.getKey());
                 entry.setTimeLocal(java.time.LocalDateTime.of(1981, 1, 1, 1, 1, 2));
@@ -86,7 +90,8 @@ final class ApkPacker {
         }
     }
 
-    private static void store(ZipEntry entry, byte[] bytes, ZipOutputStream zip, CountingStream out) throws IOException {
+    private static void store(ZipEntry entry, byte[] bytes, ZipOutputStream zip, CountingStream out)
+            throws IOException {
         CRC32 crc = new CRC32();
         crc.update(bytes);
         entry.setMethod(ZipEntry.STORED);

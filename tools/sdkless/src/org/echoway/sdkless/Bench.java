@@ -22,10 +22,11 @@ final class Bench {
         Path classes = workspace.build.resolve("classes/bench");
         List<Path> classPath = new ArrayList<>(List.of(compilation.app, compilation.core));
         classPath.addAll(libraries.jars());
-        new Kotlin(workspace).compile("bench", List.of(workspace.root.resolve("tools/sdkless/bench")), classPath, List.of(), classes);
+        new Kotlin(workspace).compile(
+                "bench", List.of(workspace.root.resolve("tools/sdkless/bench")), classPath, List.of(), classes);
         classPath.add(0, classes);
-        int status = Exec.status(List.of(Exec.JAVA, "-Djava.library.path=" + nativeLibraries, "-cp", Exec.join(classPath),
-                "org.echoway.bench.FiringBenchKt", workspace.root.toString()));
+        int status = Exec.status(List.of(Exec.JAVA, "-Djava.library.path=" + nativeLibraries, "-cp",
+                Exec.join(classPath), "org.echoway.bench.FiringBenchKt", workspace.root.toString()));
         if (status != 0) throw new BuildFailure("the benchmark failed");
     }
 }

@@ -6,8 +6,9 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * First stage: writes down the classpath of the second (arguments: lock, cache, file to write). Compiled with coursier's interface alone, it fetches the lock's section
- * [build], which is what the rest of this program is compiled with.
+ * First stage: writes down the classpath of the second (arguments: lock, cache, file to write). Compiled with
+ * coursier's interface alone, it fetches the lock's section [build], which is what the rest of this program is compiled
+ * with.
  */
 final class Boot {
     public static void main(String[] args) throws Exception {

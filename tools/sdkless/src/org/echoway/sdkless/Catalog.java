@@ -41,7 +41,9 @@ final class Catalog {
     private String version(TomlTable entry, String alias) {
         String reference = entry.getString("version.ref");
         String version = reference == null ? null : version(reference);
-        if (version == null) throw new BuildFailure("catalog entry " + alias + " has no version.ref that [versions] knows");
+        if (version == null) {
+            throw new BuildFailure("catalog entry " + alias + " has no version.ref that [versions] knows");
+        }
         return version;
     }
 

@@ -16,7 +16,7 @@ final class Compilation {
     final Path app;
     final Path tests;
 
-    /** {@code variant}: the set of libraries whose resources the app is compiled with; their ids become constants in it. */
+    /** {@code variant}: the libraries whose resources the app is compiled with; their ids become constants in it. */
     Compilation(Workspace workspace, String variant) {
         this.workspace = workspace;
         kotlin = new Kotlin(workspace);
@@ -31,7 +31,8 @@ final class Compilation {
         Path platform = Platform.stub(workspace);
         List<Path> libraries = Libraries.of(workspace, "app").jars();
         compileUsbApi(platform);
-        kotlin.compile("core-native", sources(Layout.CORE, Layout.CORE.main()), with(libraries, platform), List.of(), core);
+        kotlin.compile(
+                "core-native", sources(Layout.CORE, Layout.CORE.main()), with(libraries, platform), List.of(), core);
         kotlin.compile("app", sources(Layout.APP, Layout.APP.main()),
                 with(libraries, core, usbApi, resources.rClasses(), platform), List.of(), app);
     }
@@ -39,7 +40,8 @@ final class Compilation {
     void tests(Resources resources) throws IOException {
         List<Path> libraries = Libraries.of(workspace, "app", "test").jars();
         kotlin.compile("app-test", sources(Layout.APP, Layout.APP.test()),
-                with(libraries, app, core, usbApi, resources.rClasses(), Platform.stub(workspace)), List.of(app), tests);
+                with(libraries, app, core, usbApi, resources.rClasses(), Platform.stub(workspace)), List.of(app),
+                tests);
     }
 
     private void compileUsbApi(Path platform) throws IOException {
@@ -47,7 +49,8 @@ final class Compilation {
         new Stamp().files(sources).guard("javac usb-serial-api", usbApi, () -> {
             Tree.delete(usbApi);
             Files.createDirectories(usbApi);
-            List<String> arguments = new ArrayList<>(List.of("--release", "11", "-cp", platform.toString(), "-d", usbApi.toString()));
+            List<String> arguments =
+                    new ArrayList<>(List.of("--release", "11", "-cp", platform.toString(), "-d", usbApi.toString()));
             sources.forEach(source -> arguments.add(source.toString()));
             int status = ToolProvider.getSystemJavaCompiler().run(null, null, null, arguments.toArray(new String[0]));
             if (status != 0) throw new BuildFailure("compiling the stand-in for usb-serial failed");

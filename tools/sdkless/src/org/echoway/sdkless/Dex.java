@@ -22,9 +22,12 @@ final class Dex {
         libraryStamp.guard("dex of libraries", libraryDex, () -> d8(platform, libraries, List.of(), libraryDex, true));
 
         List<Path> own = new ArrayList<>(List.of(resources.rClasses()));
-        for (Path classes : List.of(compilation.app, compilation.core, compilation.usbApi)) own.addAll(Tree.files(classes, ".class"));
+        for (Path classes : List.of(compilation.app, compilation.core, compilation.usbApi)) {
+            own.addAll(Tree.files(classes, ".class"));
+        }
         Path ownDex = workspace.build.resolve("apk/app-dex.zip");
-        new Stamp().words("dex 1").files(own).guard("dex of the app", ownDex, () -> d8(platform, own, libraries, ownDex, true));
+        new Stamp().words("dex 1").files(own)
+                .guard("dex of the app", ownDex, () -> d8(platform, own, libraries, ownDex, true));
 
         Path merged = workspace.build.resolve("apk/dex");
         new Stamp().file(libraryDex).file(ownDex).guard("dex together", merged, () -> {
@@ -35,10 +38,11 @@ final class Dex {
         return Tree.files(merged, ".dex");
     }
 
-    private void d8(Path platform, List<Path> inputs, List<Path> classPath, Path output, boolean intermediate) throws IOException {
+    private void d8(Path platform, List<Path> inputs, List<Path> classPath, Path output, boolean intermediate)
+            throws IOException {
         Files.createDirectories(output.getParent());
-        List<String> arguments = new ArrayList<>(List.of("--debug", "--min-api", "" + Resources.MIN_SDK, "--lib", platform.toString(),
-                "--lib", System.getProperty("java.home"), "--output", output.toString()));
+        List<String> arguments = new ArrayList<>(List.of("--debug", "--min-api", "" + Resources.MIN_SDK, "--lib",
+                platform.toString(), "--lib", System.getProperty("java.home"), "--output", output.toString()));
         if (intermediate) arguments.add("--intermediate");
         for (Path path : classPath) arguments.addAll(List.of("--classpath", path.toString()));
         inputs.forEach(input -> arguments.add(input.toString()));

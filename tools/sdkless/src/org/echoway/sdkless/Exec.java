@@ -27,7 +27,8 @@ final class Exec {
     static String run(String what, List<String> command) throws IOException {
         Path log = Files.createTempFile("sdkless", ".log");
         try {
-            Process process = new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(log.toFile()).start();
+            Process process =
+                    new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(log.toFile()).start();
             int status = process.waitFor();
             String output = Files.readString(log);
             if (status != 0) throw new BuildFailure(what + " failed:\n" + output);
@@ -41,11 +42,12 @@ final class Exec {
     }
 
     /**
-     * A main class in a JVM of its own, so that its memory and its exits are its own. Runs are short: the second compiler
-     * would cost more than it gains.
+     * A main class in a JVM of its own, so that its memory and its exits are its own. Runs are short: the second
+     * compiler would cost more than it gains.
      */
     static List<String> java(String memory, List<Path> classPath, String mainClass, List<String> arguments) {
-        List<String> command = new ArrayList<>(List.of(JAVA, "-Xmx" + memory, "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-cp", join(classPath), mainClass));
+        List<String> command = new ArrayList<>(List.of(JAVA, "-Xmx" + memory, "-XX:TieredStopAtLevel=1",
+                "-XX:+UseSerialGC", "-cp", join(classPath), mainClass));
         command.addAll(arguments);
         return command;
     }

@@ -13,8 +13,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Checks the Gradle scripts where no Gradle is: each is compiled against Gradle's and the Android Gradle Plugin's own API,
- * with small stand-ins for what Gradle generates, and their modules and folders are compared with {@link Layout}.
+ * Checks the Gradle scripts where no Gradle is: each is compiled against Gradle's and the Android Gradle Plugin's own
+ * API, with small stand-ins for what Gradle generates, and their modules and folders are compared with {@link Layout}.
  */
 final class GradleCheck {
     private static final Pattern INCLUDE = Pattern.compile("include\\(\"([^\"]+)\"\\)");
@@ -45,7 +45,9 @@ final class GradleCheck {
         wrap(sources, "app/build.gradle.kts", "Project", "ApplicationExtension");
         wrap(sources, "core-native/build.gradle.kts", "Project", "LibraryExtension");
         compile(sources);
-        System.out.println("Gradle scripts: names and types are right; modules, folders and versions are those of the other build");
+        System.out.println(
+                "Gradle scripts: names and types are right; "
+                        + "modules, folders and versions are those of the other build");
     }
 
     private void compareModules() throws IOException {
@@ -62,9 +64,11 @@ final class GradleCheck {
         while (matcher.find()) extra.computeIfAbsent(matcher.group(1), kind -> new TreeSet<>()).add(matcher.group(2));
         // Folders that Gradle knows without being told need no line in a script.
         Set<String> known = Set.of("src/main/kotlin", "src/test/kotlin", "src/main/assets", "src/test/resources");
-        expect(script + ": kotlin", without(known, module.main(), module.test()), extra.getOrDefault("kotlin", Set.of()));
+        expect(script + ": kotlin", without(known, module.main(), module.test()),
+                extra.getOrDefault("kotlin", Set.of()));
         expect(script + ": assets", without(known, module.assets()), extra.getOrDefault("assets", Set.of()));
-        expect(script + ": test resources", without(known, module.testResources()), extra.getOrDefault("resources", Set.of()));
+        expect(script + ": test resources", without(known, module.testResources()),
+                extra.getOrDefault("resources", Set.of()));
     }
 
     private void compareSdkVersions() throws IOException {
@@ -77,7 +81,8 @@ final class GradleCheck {
             if (!Files.exists(metadata)) continue;
             for (String level : all(required, metadata, 1)) {
                 if (Integer.parseInt(level) <= compileSdk) continue;
-                String name = Files.readString(aar.resolve("AndroidManifest.xml")).replaceAll("(?s).*package=\"([^\"]+)\".*", "$1");
+                String name = Files.readString(aar.resolve("AndroidManifest.xml"))
+                        .replaceAll("(?s).*package=\"([^\"]+)\".*", "$1");
                 throw new BuildFailure("catalog: compileSdk is " + compileSdk + ", but " + name + " needs " + level);
             }
         }
@@ -107,16 +112,21 @@ final class GradleCheck {
     /** A script as the body of a function on its receiver, with its lines where they were. */
     private void wrap(Path sources, String script, String receiver, String extension) throws IOException {
         String name = script.replaceAll("\\W", "_");
-        String android = extension.isEmpty() ? "" : " private fun Project.android(block: " + extension + ".() -> Unit) = Unit;";
-        String head = "import com.android.build.api.dsl.*; import org.gradle.api.*; import org.gradle.api.initialization.resolve.*;"
+        String android =
+                extension.isEmpty() ? "" : " private fun Project.android(block: " + extension + ".() -> Unit) = Unit;";
+        String head = "import com.android.build.api.dsl.*; import org.gradle.api.*; "
+                + "import org.gradle.api.initialization.resolve.*;"
                 + android + " fun " + receiver + "." + name + "() { ";
-        Files.writeString(sources.resolve(name + ".kt"), head + Files.readString(workspace.root.resolve(script)) + "}\n");
+        String body = Files.readString(workspace.root.resolve(script));
+        Files.writeString(sources.resolve(name + ".kt"), head + body + "}\n");
     }
 
     /** The catalog's accessors as Gradle generates them: dashes nest. */
     private String accessors() {
         Node root = new Node();
-        for (Catalog.Library library : catalog.libraries()) root.add(library.alias(), "org.gradle.api.artifacts.MinimalExternalModuleDependency");
+        for (Catalog.Library library : catalog.libraries()) {
+            root.add(library.alias(), "org.gradle.api.artifacts.MinimalExternalModuleDependency");
+        }
         for (String plugin : catalog.plugins()) root.add("plugins-" + plugin, "org.gradle.plugin.use.PluginDependency");
         for (String version : catalog.versionNames()) root.add("versions-" + version, "String");
         return "object libs {\n" + root.body() + "}\n";
@@ -136,10 +146,13 @@ final class GradleCheck {
             StringBuilder text = new StringBuilder();
             children.forEach((name, child) -> {
                 if (child.children.isEmpty()) {
-                    text.append("val ").append(name).append(": org.gradle.api.provider.Provider<").append(child.type).append("> get() = TODO()\n");
+                    text.append("val ").append(name).append(": org.gradle.api.provider.Provider<").append(child.type)
+                            .append("> get() = TODO()\n");
                 } else {
-                    String itself = child.type == null ? "" : " : org.gradle.api.provider.Provider<" + child.type + "> by TODO()";
-                    text.append("object ").append(name).append(itself).append(" {\n").append(child.body()).append("}\n");
+                    String itself = child.type == null ? ""
+                            : " : org.gradle.api.provider.Provider<" + child.type + "> by TODO()";
+                    text.append("object ").append(name).append(itself)
+                            .append(" {\n").append(child.body()).append("}\n");
                 }
             });
             return text.toString();
@@ -152,12 +165,19 @@ final class GradleCheck {
             if (!file.getFileName().toString().contains("compiler-plugin-embeddable")) api.add(file);
         }
         List<String> arguments = new ArrayList<>(List.of("-no-stdlib", "-no-reflect", "-jvm-target", "17", "-nowarn",
-                "-Xplugin=" + workspace.file("gradle", "org.jetbrains.kotlin:kotlin-sam-with-receiver-compiler-plugin-embeddable"),
+                plugin("sam-with-receiver"),
                 "-P", "plugin:org.jetbrains.kotlin.samWithReceiver:annotation=org.gradle.api.HasImplicitReceiver",
-                "-Xplugin=" + workspace.file("gradle", "org.jetbrains.kotlin:kotlin-assignment-compiler-plugin-embeddable"),
-                "-P", "plugin:org.jetbrains.kotlin.assignment:annotation=org.gradle.api.SupportsKotlinAssignmentOverloading",
+                plugin("assignment"),
+                "-P",
+                "plugin:org.jetbrains.kotlin.assignment:annotation=org.gradle.api.SupportsKotlinAssignmentOverloading",
                 "-classpath", Exec.join(api), "-d", workspace.build.resolve("check-gradle/classes").toString()));
         for (Path file : Tree.files(sources, ".kt")) arguments.add(file.toString());
-        Exec.run("checking the Gradle scripts", Exec.java("1500m", workspace.section("kotlin"), Kotlin.COMPILER, arguments));
+        Exec.run("checking the Gradle scripts",
+                Exec.java("1500m", workspace.section("kotlin"), Kotlin.COMPILER, arguments));
+    }
+
+    private String plugin(String name) throws IOException {
+        String module = "org.jetbrains.kotlin:kotlin-" + name + "-compiler-plugin-embeddable";
+        return "-Xplugin=" + workspace.file("gradle", module);
     }
 }

@@ -23,7 +23,8 @@ final class Layout {
             List.of(), List.of());
 
     static final Module APP = new Module(":app", PACKAGE, List.of("src/main/kotlin"),
-            List.of("src/test/kotlin", "src/sharedTest/kotlin"), List.of("src/test/resources", "src/sharedTest/resources"),
+            List.of("src/test/kotlin", "src/sharedTest/kotlin"),
+            List.of("src/test/resources", "src/sharedTest/resources"),
             List.of("src/main/res"), List.of("src/main/assets", "../maps"));
 
     static final List<Module> MODULES = List.of(CORE, APP);

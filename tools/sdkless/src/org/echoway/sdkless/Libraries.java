@@ -36,7 +36,9 @@ record Libraries(List<Path> jars, List<Path> aars) {
             for (Enumeration<? extends ZipEntry> all = zip.entries(); all.hasMoreElements(); ) {
                 ZipEntry entry = all.nextElement();
                 Path target = partial.resolve(entry.getName()).normalize();
-                if (!target.startsWith(partial)) throw new BuildFailure(archive + " holds a path that leads outside: " + entry.getName());
+                if (!target.startsWith(partial)) {
+                    throw new BuildFailure(archive + " holds a path that leads outside: " + entry.getName());
+                }
                 if (entry.isDirectory()) continue;
                 Files.createDirectories(target.getParent());
                 try (InputStream in = zip.getInputStream(entry)) {

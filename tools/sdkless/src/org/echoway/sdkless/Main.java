@@ -41,8 +41,10 @@ final class Main {
         Workspace workspace = new Workspace(root, Path.of(System.getProperty("sdkless.cache")));
         switch (command) {
             case "fetch" -> workspace.section("kotlin", "platform", "aapt2", "manifest", "app", "test");
-            case "test" -> new Tests(workspace).run(Path.of(rest.get(0)), List.of("-Droborazzi.test.verify=true"), rest.subList(1, rest.size()));
-            case "screenshots" -> new Tests(workspace).run(Path.of(rest.get(0)), List.of("-Droborazzi.test.record=true"),
+            case "test" -> new Tests(workspace).run(
+                    Path.of(rest.get(0)), List.of("-Droborazzi.test.verify=true"), rest.subList(1, rest.size()));
+            case "screenshots" -> new Tests(workspace).run(
+                    Path.of(rest.get(0)), List.of("-Droborazzi.test.record=true"),
                     List.of("org.echoway.app.ScreenshotTest"));
             case "apk" -> new Apk(workspace).build(rest.isEmpty() ? null : Path.of(rest.get(0)));
             case "bench" -> new Bench(workspace).run(Path.of(rest.get(0)));

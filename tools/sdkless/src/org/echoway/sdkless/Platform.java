@@ -28,7 +28,8 @@ import org.objectweb.asm.Type;
  * constants made final again and bodies dropped. It lets hidden APIs through unnoticed; Android's own build does not.
  */
 final class Platform {
-    private static final List<String> PACKAGES = List.of("android/", "dalvik/", "org/json/", "org/xmlpull/", "org/apache/http/");
+    private static final List<String> PACKAGES =
+            List.of("android/", "dalvik/", "org/json/", "org/xmlpull/", "org/apache/http/");
     private static final String ROBOLECTRIC = "org/robolectric/";
 
     private Platform() {}
@@ -40,7 +41,8 @@ final class Platform {
     static Path stub(Workspace workspace) throws IOException {
         Path instrumented = instrumented(workspace);
         Path stub = workspace.derived("platform", instrumented).resolve("android-stub.jar");
-        new Stamp().words("platform stub 1").paths(List.of(instrumented)).guard("platform stub", stub, () -> write(instrumented, stub));
+        new Stamp().words("platform stub 1").paths(List.of(instrumented))
+                .guard("platform stub", stub, () -> write(instrumented, stub));
         return stub;
     }
 
@@ -52,7 +54,9 @@ final class Platform {
             Deque<String> queue = new ArrayDeque<>();
             for (Enumeration<? extends ZipEntry> all = in.entries(); all.hasMoreElements(); ) {
                 String name = all.nextElement().getName();
-                if (name.endsWith(".class") && PACKAGES.stream().anyMatch(name::startsWith)) queue.add(name.substring(0, name.length() - 6));
+                if (name.endsWith(".class") && PACKAGES.stream().anyMatch(name::startsWith)) {
+                    queue.add(name.substring(0, name.length() - 6));
+                }
             }
             Set<String> done = new HashSet<>();
             while (!queue.isEmpty()) {
@@ -86,23 +90,28 @@ final class Platform {
         }
 
         @Override
-        public void visit(int version, int access, String name, String signature, String superName, String[] interfaces) {
-            List<String> kept = java.util.Arrays.stream(interfaces).filter(each -> !each.startsWith(ROBOLECTRIC)).toList();
+        public void visit(
+                int version, int access, String name, String signature, String superName, String[] interfaces) {
+            List<String> kept =
+                    java.util.Arrays.stream(interfaces).filter(each -> !each.startsWith(ROBOLECTRIC)).toList();
             supertypes.addAll(kept);
             if (superName != null) supertypes.add(superName);
             String clean = signature == null ? null : signature.replaceAll("Lorg/robolectric/[^;]*;", "");
-            super.visit(Math.min(version & 0xffff, Opcodes.V17), access, name, clean, superName, kept.toArray(new String[0]));
+            super.visit(Math.min(version & 0xffff, Opcodes.V17), access, name, clean, superName,
+                    kept.toArray(new String[0]));
         }
 
         @Override
         public FieldVisitor visitField(int access, String name, String descriptor, String signature, Object value) {
             if ((access & VISIBLE) == 0 || name.equals("__robo_data__")) return null;
             // Instrumentation takes `final` off constants; without it they are none to a compiler.
-            return super.visitField(value != null ? access | Opcodes.ACC_FINAL : access, name, descriptor, signature, value);
+            return super.visitField(
+                    value != null ? access | Opcodes.ACC_FINAL : access, name, descriptor, signature, value);
         }
 
         @Override
-        public MethodVisitor visitMethod(int access, String name, String descriptor, String signature, String[] exceptions) {
+        public MethodVisitor visitMethod(
+                int access, String name, String descriptor, String signature, String[] exceptions) {
             boolean instrumentation = name.contains("$$robo") || descriptor.contains(ROBOLECTRIC);
             if ((access & VISIBLE) == 0 || instrumentation || name.equals("<clinit>")) return null;
             return new BodyDropper(super.visitMethod(access, name, descriptor, signature, exceptions), descriptor);

@@ -41,7 +41,9 @@ final class RClasses {
             }
         }
         try (ZipOutputStream out = new ZipOutputStream(Files.newOutputStream(jar))) {
-            for (var each : packages.entrySet()) writePackage(out, each.getKey().replace('.', '/') + "/R", each.getValue());
+            for (var each : packages.entrySet()) {
+                writePackage(out, each.getKey().replace('.', '/') + "/R", each.getValue());
+            }
         }
     }
 
@@ -55,14 +57,19 @@ final class RClasses {
         Map<String, Symbol> found = new LinkedHashMap<>();
         for (String line : Files.readAllLines(symbols)) {
             Matcher m = SYMBOL.matcher(line.strip());
-            if (m.matches()) found.put(m.group(2) + " " + m.group(3), new Symbol(m.group(2), m.group(3), m.group(4), m.group(1).endsWith("]")));
+            if (m.matches()) {
+                found.put(m.group(2) + " " + m.group(3),
+                        new Symbol(m.group(2), m.group(3), m.group(4), m.group(1).endsWith("]")));
+            }
         }
         return found;
     }
 
-    private static void writePackage(ZipOutputStream out, String outer, Map<String, Symbol> symbols) throws IOException {
+    private static void writePackage(ZipOutputStream out, String outer, Map<String, Symbol> symbols)
+            throws IOException {
         Map<String, Map<String, Symbol>> kinds = new TreeMap<>();
-        symbols.forEach((key, symbol) -> kinds.computeIfAbsent(symbol.kind(), kind -> new LinkedHashMap<>()).put(key, symbol));
+        symbols.forEach(
+                (key, symbol) -> kinds.computeIfAbsent(symbol.kind(), kind -> new LinkedHashMap<>()).put(key, symbol));
         int access = Opcodes.ACC_PUBLIC | Opcodes.ACC_FINAL | Opcodes.ACC_SUPER;
         ClassWriter top = new ClassWriter(0);
         top.visit(Opcodes.V11, access, outer, null, "java/lang/Object", null);
@@ -71,7 +78,8 @@ final class RClasses {
             ClassWriter writer = new ClassWriter(ClassWriter.COMPUTE_MAXS);
             writer.visit(Opcodes.V11, access, inner, null, "java/lang/Object", null);
             for (ClassWriter each : List.of(top, writer)) {
-                each.visitInnerClass(inner, outer, kind.getKey(), Opcodes.ACC_PUBLIC | Opcodes.ACC_FINAL | Opcodes.ACC_STATIC);
+                each.visitInnerClass(
+                        inner, outer, kind.getKey(), Opcodes.ACC_PUBLIC | Opcodes.ACC_FINAL | Opcodes.ACC_STATIC);
             }
             writeFields(writer, inner, kind.getValue());
             put(out, inner, writer);

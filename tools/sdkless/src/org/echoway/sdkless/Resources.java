@@ -61,15 +61,18 @@ final class Resources {
         // Android's own build takes the package from the script's namespace; the merger alone wants it in the file.
         Path named = folder.resolve("source/AndroidManifest.xml");
         Files.createDirectories(named.getParent());
-        Files.writeString(named, Files.readString(source).replaceFirst("<manifest ", "<manifest package=\"" + Layout.PACKAGE + "\" "));
-        String libraries = aars.stream().map(aar -> aar.resolve("AndroidManifest.xml").toString()).collect(Collectors.joining(":"));
-        List<String> arguments = new ArrayList<>(List.of("--main", named.toString(), "--libs", libraries, "--out", manifest().toString(),
-                "--log", "WARNING", "--remove-tools-declarations"));
+        Files.writeString(named,
+                Files.readString(source).replaceFirst("<manifest ", "<manifest package=\"" + Layout.PACKAGE + "\" "));
+        String libraries = aars.stream().map(aar -> aar.resolve("AndroidManifest.xml").toString())
+                .collect(Collectors.joining(":"));
+        List<String> arguments = new ArrayList<>(List.of("--main", named.toString(), "--libs", libraries, "--out",
+                manifest().toString(), "--log", "WARNING", "--remove-tools-declarations"));
         for (String property : List.of("PACKAGE=" + Layout.PACKAGE, "MIN_SDK_VERSION=" + MIN_SDK,
                 "TARGET_SDK_VERSION=" + TARGET_SDK, "VERSION_CODE=1", "VERSION_NAME=" + VERSION_NAME)) {
             arguments.addAll(List.of("--property", property));
         }
-        Exec.run("merging manifests", Exec.java("512m", workspace.section("manifest"), "com.android.manifmerger.Merger", arguments));
+        Exec.run("merging manifests",
+                Exec.java("512m", workspace.section("manifest"), "com.android.manifmerger.Merger", arguments));
     }
 
     private List<Path> compileAll(List<Path> resourceFolders) throws IOException {
@@ -91,17 +94,20 @@ final class Resources {
 
     private void compile(Path resources, Path archive) throws IOException {
         Path partial = Files.createTempDirectory(archive.getParent(), "part").resolve("out.zip");
-        Exec.run("compiling " + resources, List.of(aapt2(workspace).toString(), "compile", "--dir", resources.toString(), "-o", partial.toString()));
+        Exec.run("compiling " + resources,
+                List.of(aapt2(workspace).toString(), "compile", "--dir", resources.toString(), "-o",
+                        partial.toString()));
         Files.move(partial, archive, StandardCopyOption.REPLACE_EXISTING);
         Files.delete(partial.getParent());
     }
 
     private void link(List<Path> compiled, Path assets) throws IOException {
         List<String> command = new ArrayList<>(List.of(aapt2(workspace).toString(), "link", "-o", linked().toString(),
-                "-I", tool(workspace, "prebuilt/android-framework.jar").toString(), "--manifest", manifest().toString(), "-A", assets.toString(),
-                "--min-sdk-version", "" + MIN_SDK, "--target-sdk-version", "" + TARGET_SDK,
-                "--version-code", "1", "--version-name", VERSION_NAME, "--auto-add-overlay", "--no-version-vectors", "--debug-mode",
-                "--output-text-symbols", folder.resolve("R.txt").toString(), "--proguard", keepRules().toString()));
+                "-I", tool(workspace, "prebuilt/android-framework.jar").toString(), "--manifest", manifest().toString(),
+                "-A", assets.toString(), "--min-sdk-version", "" + MIN_SDK, "--target-sdk-version", "" + TARGET_SDK,
+                "--version-code", "1", "--version-name", VERSION_NAME, "--auto-add-overlay", "--no-version-vectors",
+                "--debug-mode", "--output-text-symbols", folder.resolve("R.txt").toString(), "--proguard",
+                keepRules().toString()));
         for (Path archive : compiled) command.addAll(List.of("-R", archive.toString()));
         Exec.run("linking resources", command);
     }

@@ -13,7 +13,7 @@ import java.security.PrivateKey;
 import java.security.cert.X509Certificate;
 import java.util.List;
 
-/** Signs with a debug key of this build folder, made when first needed: it protects nothing and is for testing alone. */
+/** Signs with a debug key of this build folder, made when first needed: it protects nothing and is for tests alone. */
 final class Signer {
     private static final String ALIAS = "debug";
     private static final String PASSWORD = "android";
@@ -32,15 +32,18 @@ final class Signer {
         PrivateKey key = (PrivateKey) store.getKey(ALIAS, PASSWORD.toCharArray());
         X509Certificate certificate = (X509Certificate) store.getCertificate(ALIAS);
         var signer = new ApkSigner.SignerConfig.Builder("DEBUG", new KeyConfig.Jca(key), List.of(certificate)).build();
-        new ApkSigner.Builder(List.of(signer)).setInputApk(unsigned.toFile()).setOutputApk(signed.toFile()).setMinSdkVersion(minSdk)
-                .setV1SigningEnabled(false).setV2SigningEnabled(true).setV3SigningEnabled(true).setAlignmentPreserved(true)
-                .build().sign();
+        new ApkSigner.Builder(List.of(signer))
+                .setInputApk(unsigned.toFile()).setOutputApk(signed.toFile()).setMinSdkVersion(minSdk)
+                .setV1SigningEnabled(false).setV2SigningEnabled(true).setV3SigningEnabled(true)
+                .setAlignmentPreserved(true).build()
+                .sign();
     }
 
     private void makeKey() throws IOException {
         String keytool = Path.of(System.getProperty("java.home"), "bin", "keytool").toString();
-        Exec.run("making the debug key", List.of(keytool, "-genkeypair", "-keystore", keyStore.toString(), "-storetype", "PKCS12",
-                "-storepass", PASSWORD, "-keypass", PASSWORD, "-alias", ALIAS, "-keyalg", "RSA", "-keysize", "2048",
-                "-validity", "10000", "-dname", "CN=Echoway debug"));
+        Exec.run("making the debug key",
+                List.of(keytool, "-genkeypair", "-keystore", keyStore.toString(), "-storetype", "PKCS12", "-storepass",
+                        PASSWORD, "-keypass", PASSWORD, "-alias", ALIAS, "-keyalg", "RSA", "-keysize", "2048",
+                        "-validity", "10000", "-dname", "CN=Echoway debug"));
     }
 }

@@ -19,8 +19,9 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Files of the lock on this machine, by content: {@code <cache>/files/<sha256>/<name>}. A file gets in only when its hash
- * is right, so that being there is proof enough. Coursier downloads what is missing, from Maven's default repository.
+ * Files of the lock on this machine, by content: {@code <cache>/files/<sha256>/<name>}. A file gets in only when its
+ * hash is right, so that being there is proof enough. Coursier downloads what is missing, from Maven's default
+ * repository.
  */
 final class Store {
     /** What a dependency of the phone or the host may be packed as. */

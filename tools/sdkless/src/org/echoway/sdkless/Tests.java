@@ -8,8 +8,8 @@ import java.util.List;
 
 /** Runs the app's tests on this machine, with Robolectric for Android and the host-built JNI library for the core. */
 final class Tests {
-    private static final List<String> OPENED = List.of("java.lang", "java.lang.reflect", "java.util", "java.io", "java.net", "java.nio",
-            "java.text", "jdk.internal.access", "java.security", "sun.nio.ch");
+    private static final List<String> OPENED = List.of("java.lang", "java.lang.reflect", "java.util", "java.io",
+            "java.net", "java.nio", "java.text", "jdk.internal.access", "java.security", "sun.nio.ch");
 
     private final Workspace workspace;
 
@@ -17,7 +17,9 @@ final class Tests {
         this.workspace = workspace;
     }
 
-    /** {@code properties}: system properties for the tests; {@code selected}: fully qualified classes, all when empty. */
+    /**
+     * {@code properties}: system properties for the tests; {@code selected}: fully qualified classes, all when empty.
+     */
     void run(Path nativeLibraries, List<String> properties, List<String> selected) throws IOException {
         Libraries libraries = Libraries.of(workspace, "app", "test");
         Resources resources = new Resources(workspace, "test", libraries.aars());
@@ -27,25 +29,29 @@ final class Tests {
         compilation.tests(resources);
         Path config = writeConfig(resources);
 
-        List<Path> classPath = new ArrayList<>(List.of(compilation.tests, compilation.app, compilation.core, compilation.usbApi, config,
-                resources.rClasses()));
+        List<Path> classPath = new ArrayList<>(List.of(compilation.tests, compilation.app, compilation.core,
+                compilation.usbApi, config, resources.rClasses()));
         Path module = workspace.root.resolve(Layout.APP.folder());
         Layout.APP.testResources().forEach(folder -> classPath.add(module.resolve(folder)));
         classPath.addAll(libraries.jars());
         classPath.addAll(workspace.section("build")); // JUnit's launcher is there
         classPath.add(Platform.stub(workspace));
 
-        List<String> command = new ArrayList<>(List.of(Exec.JAVA, "-Xmx2g", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1"));
+        List<String> command =
+                new ArrayList<>(List.of(Exec.JAVA, "-Xmx2g", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1"));
         for (String name : OPENED) command.add("--add-opens=java.base/" + name + "=ALL-UNNAMED");
         command.add("--add-opens=java.desktop/java.awt.font=ALL-UNNAMED");
-        command.addAll(List.of("-Drobolectric.offline=true", "-Drobolectric.dependency.dir=" + Platform.instrumented(workspace).getParent(),
+        command.addAll(List.of("-Drobolectric.offline=true",
+                "-Drobolectric.dependency.dir=" + Platform.instrumented(workspace).getParent(),
                 "-Djava.library.path=" + nativeLibraries, "-Dechoway.maps=" + workspace.root.resolve("maps"),
                 "-Dechoway.root=" + workspace.root));
         command.addAll(properties);
         command.addAll(List.of("-cp", Exec.join(classPath), "org.junit.platform.console.ConsoleLauncher", "execute",
                 "--disable-banner", "--details=tree", "--disable-ansi-colors", "--include-engine=junit-vintage",
                 "--reports-dir=" + reports()));
-        if (selected.isEmpty()) command.addAll(List.of("--scan-classpath=" + compilation.tests, "--include-classname=.*Test"));
+        if (selected.isEmpty()) {
+            command.addAll(List.of("--scan-classpath=" + compilation.tests, "--include-classname=.*Test"));
+        }
         for (String name : selected) command.addAll(List.of("--select-class", name));
         Tree.delete(reports());
         if (Exec.status(command) != 0) throw new BuildFailure("tests failed; reports are in " + reports());

@@ -42,10 +42,11 @@ final class UpdateLock {
         for (String line : Files.readAllLines(root.resolve("gradle/sdkless-pins.txt"))) {
             String text = line.strip();
             if (text.isEmpty() || text.startsWith("#")) continue;
+            String name = text.substring(0, text.lastIndexOf(':'));
             String version = text.substring(text.lastIndexOf(':') + 1);
             if (text.startsWith("!")) excluded.add(text.substring(1));
-            else if (text.startsWith("+")) variants.add(new Catalog.Library(text, text.substring(1, text.lastIndexOf(':')), version));
-            else pins.put(text.substring(0, text.lastIndexOf(':')), version);
+            else if (text.startsWith("+")) variants.add(new Catalog.Library(text, name.substring(1), version));
+            else pins.put(name, version);
         }
     }
 
@@ -69,13 +70,16 @@ final class UpdateLock {
         new Lock(sections).write(Workspace.lockFile(root), COMMENT);
     }
 
-    private List<Lock.Entry> resolve(List<Catalog.Library> roots, Map<String, String> forced, boolean transitive) throws IOException {
+    private List<Lock.Entry> resolve(List<Catalog.Library> roots, Map<String, String> forced, boolean transitive)
+            throws IOException {
         ResolutionParams parameters = ResolutionParams.create();
         for (var pin : forced.entrySet()) parameters = parameters.forceVersion(module(pin.getKey()), pin.getValue());
         for (String each : excluded) parameters = parameters.addExclusion(each.split(":")[0], each.split(":")[1]);
-        Fetch fetch = Fetch.create().withCache(Cache.create()).withArtifactTypes(Store.TYPES).withResolutionParams(parameters);
+        Fetch fetch = Fetch.create().withCache(Cache.create()).withArtifactTypes(Store.TYPES)
+                .withResolutionParams(parameters);
         for (Catalog.Library library : roots) {
-            fetch.addDependencies(Dependency.of(module(variant(library)), library.version()).withTransitive(transitive));
+            fetch.addDependencies(
+                    Dependency.of(module(variant(library)), library.version()).withTransitive(transitive));
         }
         FetchResult result;
         try {
@@ -138,8 +142,14 @@ final class UpdateLock {
                 if (other != null) twice.add(other + " and " + entry);
             }
         }
-        if (!twice.isEmpty()) throw new BuildFailure("the same classes are in (pin or exclude one of each):\n" + String.join("\n", twice));
-        if (!hollow.isEmpty()) throw new BuildFailure("only metadata, and no variant with classes (name one with +):\n" + String.join("\n", hollow));
+        if (!twice.isEmpty()) {
+            throw new BuildFailure(
+                    "the same classes are in (pin or exclude one of each):\n" + String.join("\n", twice));
+        }
+        if (!hollow.isEmpty()) {
+            throw new BuildFailure(
+                    "only metadata, and no variant with classes (name one with +):\n" + String.join("\n", hollow));
+        }
         kept.sort(Comparator.comparing(Lock.Entry::toString));
         return kept;
     }
@@ -184,7 +194,9 @@ final class UpdateLock {
         List<String> names = new ArrayList<>();
         try (var in = new java.util.zip.ZipInputStream(zip.getInputStream(jar))) {
             for (ZipEntry entry = in.getNextEntry(); entry != null; entry = in.getNextEntry()) {
-                if (entry.getName().endsWith(".class") && !entry.getName().startsWith("META-INF/")) names.add(entry.getName());
+                if (entry.getName().endsWith(".class") && !entry.getName().startsWith("META-INF/")) {
+                    names.add(entry.getName());
+                }
             }
         }
         return names;
