@@ -92,11 +92,6 @@ bool Arrival::comes_to_a_stand(const View& view, bool holding) const noexcept {
   return view.now - view.still_since < kSettles;
 }
 
-void Arrival::raise_doubt(double now) noexcept {
-  doubted_at_ = now;
-  doubt_ = true;
-}
-
 /// Whether the tracker has had the time to look for places as likely.
 bool Arrival::has_stood_doubt(double now) const noexcept {
   constexpr double kLooks = 5.0;  // s
@@ -114,7 +109,10 @@ Arrival::Now Arrival::tell(const View& view, bool holding, Announcer& voice) {
   if (walks_past(view)) return Now::walks_past;
   // Who is told asks no further, and may be in another room that looks the same.
   if (view.unproven && view.walking) return Now::walks_past;
-  if (view.unproven && doubted_at_ < 0.0) raise_doubt(view.now);
+  if (view.unproven && doubted_at_ < 0.0) {
+    doubted_at_ = view.now;
+    return Now::doubtful;
+  }
   if (view.unproven && !has_stood_doubt(view.now)) return Now::there;
   if (voice.offer(cue_for(view.estimate->pose), view.now)) told_at_ = view.now;
   return Now::there;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
 
 #include "guidance/announcer.hpp"
 #include "guidance/reaction.hpp"
@@ -21,7 +20,6 @@ class Arrival {
     told_at_ = -1.0;
     there_since_ = kNotThere;
     doubted_at_ = -1.0;
-    doubt_ = false;
   }
   void note_room(const Estimate& estimate) noexcept;
 
@@ -36,12 +34,11 @@ class Arrival {
   enum class Now : std::uint8_t {
     elsewhere,
     there,        ///< There is nothing else to say.
+    doubtful,     ///< The same; once each time they are there by a place that is to be doubted before they are told so.
     walks_past,   ///< They are to stop first: where they are is soon known better then.
   };
   /// Tells it to who is there, or will be when it is said. `holding`: the last instruction is still being carried out.
   [[nodiscard]] Now tell(const View& view, bool holding, Announcer& voice);
-  /// True once each time they are there by a place that is to be doubted before they are told so.
-  [[nodiscard]] bool take_doubt() noexcept { return std::exchange(doubt_, false); }
 
  private:
   static constexpr double kNotThere = 1e300;
@@ -50,7 +47,6 @@ class Arrival {
   [[nodiscard]] bool is_there(const View& view, bool holding) const;
   [[nodiscard]] bool walks_past(const View& view) const;
   [[nodiscard]] bool comes_to_a_stand(const View& view, bool holding) const noexcept;
-  void raise_doubt(double now) noexcept;
   [[nodiscard]] bool has_stood_doubt(double now) const noexcept;
   [[nodiscard]] Cue cue_for(const Pose2& pose) const;
 
@@ -63,7 +59,6 @@ class Arrival {
   double pace_ = 0.0;          ///< At which they walked last, m/s.
   double told_at_ = -1.0;      ///< Negative before.
   double doubted_at_ = -1.0;   ///< When the place was doubted; negative: not yet.
-  bool doubt_ = false;         ///< Raised then, until it is taken.
   double there_since_ = kNotThere;  ///< They have been at the destination since then.
 };
 

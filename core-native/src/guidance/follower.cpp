@@ -56,6 +56,7 @@ void Follower::forget_told() {
   levels_.forget();
   herald_.forget();
   headway_.forget();
+  doubt_ = false;
 }
 
 bool Follower::find_way(const Estimate& e) {
@@ -97,6 +98,14 @@ void Follower::note_standing(View& view) noexcept {
   seen_ = true;
   was_walking_ = view.walking;
   view.still_since = still_since_;
+}
+
+void Follower::note_headway(const View& view) noexcept {
+  if (view.unproven && steering_.has_met_frame(view.now)) {   // There is a wall where the door should be.
+    headway_.start_over();
+    doubt_ = true;
+  }
+  if (headway_.update(view.now, way_.route().cost, steering_.last_said())) doubt_ = true;
 }
 
 bool Follower::is_on_stairs(const Estimate& e, Announcer& voice) noexcept {
@@ -151,26 +160,20 @@ void Follower::update(const Estimate& newest, const Trust& trust, bool turning, 
   way_.note_progress();
   note_standing(view);
   const bool waits = steering_.watch_stretch(view);
-  // There is a wall where the door should be.
-  if (view.unproven && steering_.has_met_frame(view.now)) headway_.doubt();
+  note_headway(view);
   herald_.note_way();
-  headway_.update(view.now, way_.route().cost, steering_.last_said());
   if (!lingers(view) && !waits) lead_on(view, turning, voice);
 }
 
 void Follower::lead_on(const View& view, bool turning, Announcer& voice) {
   const bool holding = steering_.is_holding(view.now);
   const Arrival::Now arrival = arrival_.tell(view, holding, voice);
+  if (arrival == Arrival::Now::doubtful) doubt_ = true;
   if (arrival == Arrival::Now::walks_past) steering_.stop(view, voice);
   if (arrival != Arrival::Now::elsewhere || levels_.take(view, voice) || holding) return;
   if (steering_.point_to_door(view, voice) || steering_.halt(view, voice) || turning) return;
   if (steering_.turn(view, voice) || steering_.go_on(view, voice)) return;
   herald_.tell(view, voice);
-}
-
-bool Follower::take_doubt() noexcept {
-  const bool at_arrival = arrival_.take_doubt();
-  return headway_.take_doubt() || at_arrival;   // Both are taken: one search answers them.
 }
 
 std::optional<double> Follower::direction_from(const Estimate& e) {

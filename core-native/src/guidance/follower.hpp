@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "echoway/guidance/cue.hpp"
@@ -75,13 +76,14 @@ class Follower {
   [[nodiscard]] std::optional<LevelTransition> take_transition() noexcept { return levels_.take_transition(); }
   /// True once each time the place is worth a doubt: the wearer gets nowhere though the plan has a way, meets a wall
   /// instead of the door, or is about to be told that they are there in the room where the tracker found them.
-  [[nodiscard]] bool take_doubt() noexcept;
+  [[nodiscard]] bool take_doubt() noexcept { return std::exchange(doubt_, false); }
 
  private:
   void forget_told();
   [[nodiscard]] bool find_way(const Estimate& estimate);
   [[nodiscard]] View look(const Estimate& estimate, const Trust& trust);
   void note_standing(View& view) noexcept;
+  void note_headway(const View& view) noexcept;
   [[nodiscard]] bool is_on_stairs(const Estimate& estimate, Announcer& voice) noexcept;
   void tell_no_way(double now, Announcer& voice);
   [[nodiscard]] bool lingers(const View& view);
@@ -97,6 +99,7 @@ class Follower {
   Herald herald_;
   Standing standing_;
   Headway headway_;
+  bool doubt_ = false;           ///< Raised by what speaks against the place until it is taken: one search answers all.
   double next_look_ = -1e300;
   double still_since_ = -1e300;
   bool was_walking_ = false;
