@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracker/association.hpp"
 #include "tracker/elementary.hpp"
 #include "tracker/floor.hpp"
 
@@ -164,7 +165,7 @@ BayesLocator::Core::Verdict BayesLocator::Core::update(Population& population, c
       continue;
     }
     if (record.trust > 0.0) {
-      const Outcome outcome = assimilate(p, shot, *model_, scene_);
+      const Outcome outcome = assimilate(p, shot, *model_, scene_, random_);
       mapped += p.weight * outcome.mapped;
       plan += p.weight * outcome.plan;
       p.weight *= tempered(outcome.density, record.novelty);
@@ -183,8 +184,7 @@ BayesLocator::Core::Verdict BayesLocator::Core::update(Population& population, c
 
 double BayesLocator::Core::mapped_share_of(const Particle& p, Shot shot) {
   shot.trust = 1.0;
-  Particle untouched = p;
-  return assimilate(untouched, shot, *model_, scene_).mapped;
+  return weigh(p, shot, *model_, scene_).mapped;
 }
 
 // On stairs the walls of the stairwell still stand beside the wearer, as far as anybody can tell; in an
@@ -193,7 +193,7 @@ double BayesLocator::Core::density_away(Particle& p, const Shot& shot, double an
   if (shot.trust <= 0.0) return anywhere;
   if (!links_.on_stairs(p)) return in_cabin(shot);
   Particle beside = p;
-  const double density = assimilate(beside, shot, *model_, scene_).density;
+  const double density = assimilate(beside, shot, *model_, scene_, random_).density;
   p.strangers = beside.strangers;
   return kStairwellShare * std::max(anywhere, density);
 }

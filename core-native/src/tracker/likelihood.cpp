@@ -3,49 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracker/association.hpp"
 #include "tracker/elementary.hpp"
 
 namespace echoway::tracker {
 namespace {
 
-constexpr double kMostScale = 0.08;        // ln of speed: at -20 and at 70 degrees it is no farther from that at 20.
-constexpr double kLeastShare = 1e-3;       // Updates of smaller association probability are skipped.
+// What a reading tells about a particle.
+struct Hearing {
+  Outcome outcome;
+  std::size_t count = 0;
+  std::array<Association, ExpectedEchoes::kMax> association;   // The first `count`. The rest is not zeroed.
 
-// P h for the measurement direction h = (gx, gy, 0, range).
-struct Direction {
-  double x, y, s, k;
-};
-
-Direction times(const Covariance& c, Vec2 g, double gk) noexcept {
-  return {c.xx * g.x + c.xy * g.y + c.xk * gk, c.xy * g.x + c.yy * g.y + c.yk * gk,
-          c.xs * g.x + c.ys * g.y + c.sk * gk, c.xk * g.x + c.yk * g.y + c.kk * gk};
-}
-
-// cov += f * d d^T
-void add_outer(Covariance& c, const Direction& d, double f) noexcept {
-  c.xx += f * d.x * d.x;
-  c.xy += f * d.x * d.y;
-  c.xs += f * d.x * d.s;
-  c.xk += f * d.x * d.k;
-  c.yy += f * d.y * d.y;
-  c.ys += f * d.y * d.s;
-  c.yk += f * d.y * d.k;
-  c.ss += f * d.s * d.s;
-  c.sk += f * d.s * d.k;
-  c.kk += f * d.k * d.k;
-}
-
-void move(Particle& p, const Direction& d, double f) noexcept {
-  p.position = p.position + Vec2{f * d.x, f * d.y};
-  p.speed += f * d.s;
-  p.log_scale = std::clamp(p.log_scale + f * d.k, -kMostScale, kMostScale);
-}
-
-struct Association {
-  double weight;       // Chance times Gaussian.
-  double innovation;
-  double variance;
-  Direction direction;
+  [[nodiscard]] std::span<Association> associations() noexcept { return {association.data(), count}; }
 };
 
 // Density of the shot's range from what was noted before in no plan.
@@ -68,6 +38,61 @@ double remembered(const Particle& p, const Shot& shot, const EchoModel& model) n
   return density;
 }
 
+Hearing hear_nothing(const ExpectedEchoes& expected, const Shot& shot, const EchoModel& model) noexcept {
+  double survival = 1.0;
+  for (int j = 0; j < expected.count; ++j) survival *= 1.0 - expected.echo[static_cast<std::size_t>(j)].chance;
+  const double silent = shot.trust * model.silence(survival) + (1.0 - shot.trust) * model.quiet();
+  Hearing heard;
+  heard.outcome = {silent, silent, 0.0};
+  return heard;
+}
+
+Hearing hear(const Particle& p, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept {
+  const ExpectedEchoes expected = expect(p, shot, model, scene);
+  if (!shot.echo) return hear_nothing(expected, shot, model);
+  Hearing heard;
+  double survival = 1.0;
+  double survival_at_range = 1.0;
+  double explained = 0.0;
+  for (int j = 0; j < expected.count; ++j) {
+    const ExpectedEcho& e = expected.echo[static_cast<std::size_t>(j)];
+    const double innovation = shot.range - e.range * (1.0 + p.log_scale);
+    const double noise = model.variance(e.range) + e.extra_variance;
+    const Covariation with = covariation(p.cov, e.gradient(), e.range);
+    const double own = with.x * e.gradient_x + with.y * e.gradient_y + with.k * e.range;
+    const double variance = noise + std::max(own, 0.0);
+    const double normalized = innovation * innovation / variance;
+    if (normalized < kGate2) {
+      const double density = kInvSqrtTwoPi / std::sqrt(variance) * fast_exp(-0.5 * normalized);
+      const double weight = survival * e.chance * density;
+      heard.association[heard.count++] = {weight, innovation, std::max(own, 0.0) + noise / shot.novelty, with};
+      explained += weight;
+    }
+    survival *= 1.0 - e.chance;
+    if (e.range < shot.range) survival_at_range = survival;
+  }
+  double repeated = 0.0;
+  for (const Repeat& r : shot.repeats) {
+    repeated += r.density * (1.0 / 255.0) * p.strangers[static_cast<std::size_t>(r.sensor)];
+  }
+  const double again = survival_at_range * (repeated + remembered(p, shot, model));
+  const double total = model.echo(explained, survival_at_range, shot.range, again);
+  const double density = std::max(kLeastDensity, total);
+  const double plan = std::max(kLeastDensity, total - model.heard() * again);
+
+  const double scale = shot.trust * model.heard() * model.quiet() / density;
+  double mapped = 0.0;
+  for (Association& a : heard.associations()) mapped += a.share *= scale;
+  const double anything = (1.0 - shot.trust) * model.unexplained(shot.range);
+  heard.outcome = {shot.trust * density + anything, shot.trust * plan + anything, mapped};
+  return heard;
+}
+
+void note_stranger(Particle& p, const Shot& shot, const Outcome& outcome) noexcept {
+  const double stranger = std::clamp(1.0 - outcome.mapped, 0.0, 1.0);
+  p.strangers[static_cast<std::size_t>(shot.sensor)] = static_cast<std::uint8_t>(255.0 * stranger);
+}
+
 }  // namespace
 
 Shot shot_of(const Record& record, const BeltConfig& belt, Vec2 bearing) noexcept {
@@ -83,81 +108,25 @@ Shot shot_of(const Record& record, const BeltConfig& belt, Vec2 bearing) noexcep
   return shot;
 }
 
-Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept {
-  const ExpectedEchoes expected = expect(p, shot, model, scene);
-  if (!shot.echo) {
-    double survival = 1.0;
-    for (int j = 0; j < expected.count; ++j) survival *= 1.0 - expected.echo[static_cast<std::size_t>(j)].chance;
-    const double silent = shot.trust * model.silence(survival) + (1.0 - shot.trust) * model.quiet();
-    return {silent, silent, 0.0};
-  }
-
-  std::array<Association, ExpectedEchoes::kMax> found;
-  std::size_t count = 0;
-  double survival = 1.0;
-  double survival_at_range = 1.0;
-  double explained = 0.0;
-  for (int j = 0; j < expected.count; ++j) {
-    const ExpectedEcho& e = expected.echo[static_cast<std::size_t>(j)];
-    const double innovation = shot.range - e.range * (1.0 + p.log_scale);
-    const double noise = model.variance(e.range) + e.extra_variance;
-    const Direction direction = times(p.cov, e.gradient(), e.range);
-    const double own = direction.x * e.gradient_x + direction.y * e.gradient_y + direction.k * e.range;
-    const double variance = noise + std::max(own, 0.0);
-    const double normalized = innovation * innovation / variance;
-    if (normalized < kGate2) {
-      const double density = kInvSqrtTwoPi / std::sqrt(variance) * fast_exp(-0.5 * normalized);
-      found[count++] = {survival * e.chance * density, innovation,
-                        std::max(own, 0.0) + noise / shot.novelty, direction};
-      explained += found[count - 1].weight;
-    }
-    survival *= 1.0 - e.chance;
-    if (e.range < shot.range) survival_at_range = survival;
-  }
-  double repeated = 0.0;
-  for (const Repeat& r : shot.repeats) {
-    repeated += r.density * (1.0 / 255.0) * p.strangers[static_cast<std::size_t>(r.sensor)];
-  }
-  const double again = survival_at_range * (repeated + remembered(p, shot, model));
-  const double total = model.echo(explained, survival_at_range, shot.range, again);
-  const double density = std::max(kLeastDensity, total);
-  const double plan = std::max(kLeastDensity, total - model.heard() * again);
-
-  const double scale = shot.trust * model.heard() * model.quiet() / density;
-  double mean_gain = 0.0;
-  for (std::size_t j = 0; j < count; ++j) mean_gain += scale * found[j].weight;
-  if (mean_gain > kLeastShare) {
-    Direction shift{0.0, 0.0, 0.0, 0.0};
-    for (std::size_t j = 0; j < count; ++j) {
-      const Association& a = found[j];
-      const double share = scale * a.weight;
-      const double f = a.innovation / a.variance;
-      shift.x += share * f * a.direction.x;
-      shift.y += share * f * a.direction.y;
-      shift.s += share * f * a.direction.s;
-      shift.k += share * f * a.direction.k;
-    }
-    for (std::size_t j = 0; j < count; ++j) {
-      const Association& a = found[j];
-      const double share = scale * a.weight;
-      const double f = a.innovation / a.variance;
-      // Shrinkage of the association's own update, and the spread between associations.
-      add_outer(p.cov, a.direction, share * (f * f - 1.0 / a.variance));
-    }
-    add_outer(p.cov, shift, -1.0);
-    move(p, shift, 1.0);
-  }
-  const double anything = (1.0 - shot.trust) * model.unexplained(shot.range);
-  p.strangers[static_cast<std::size_t>(shot.sensor)] =
-      static_cast<std::uint8_t>(255.0 * std::clamp(1.0 - mean_gain, 0.0, 1.0));
-  return {shot.trust * density + anything, shot.trust * plan + anything, mean_gain};
+Outcome weigh(const Particle& p, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept {
+  return hear(p, shot, model, scene).outcome;
 }
 
-void observe_log_scale(Particle& p, double log_scale, double variance) noexcept {
-  const Direction d{p.cov.xk, p.cov.yk, p.cov.sk, p.cov.kk};
-  const double s = p.cov.kk + variance;
-  move(p, d, (log_scale - p.log_scale) / s);
-  add_outer(p.cov, d, -1.0 / s);
+Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept {
+  Hearing heard = hear(p, shot, model, scene);
+  if (!shot.echo) return heard.outcome;
+  merge(p, heard.associations());
+  note_stranger(p, shot, heard.outcome);
+  return heard.outcome;
+}
+
+Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene::Scene& scene,
+                   Random& random) noexcept {
+  Hearing heard = hear(p, shot, model, scene);
+  if (!shot.echo) return heard.outcome;
+  merge_or_choose(p, heard.associations(), random);
+  note_stranger(p, shot, heard.outcome);
+  return heard.outcome;
 }
 
 }  // namespace echoway::tracker

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "echoway/belt/belt.hpp"
+#include "echoway/random.hpp"
 #include "scene/scene.hpp"
 #include "tracker/echo_memory.hpp"
 #include "tracker/echo_model.hpp"
@@ -57,22 +58,25 @@ struct ExpectedEchoes {
 [[nodiscard]] ExpectedEchoes expect_from(const scene::Cell& cell, const scene::RoomScene& room,
                                          const Particle& particle, const Shot& shot, const EchoModel& model) noexcept;
 
-/// Density of the shot's reading given the particle, per metre for an echo and a plain probability for none, and the
-/// particle's Gaussian updated with it. Reflectors answer in order of distance, the nearest that does wins:
-///   p(z) = (1 - deaf) [quiet sum_j c_j prod_{i<j} (1 - c_i) N(z; d_j, S_j)
-///                      + unmapped(z) prod_{d_i < z} (1 - c_i)] + ghost,
-///   p(none) = deaf + (1 - deaf) quiet prod (1 - c_i).
-/// The update merges the association hypotheses into one Gaussian (probabilistic data association, Bar-Shalom and
-/// Fortmann 1988, section 6.4). Always finite and positive.
 struct Outcome {
-  double density = 0.0;
+  double density = 0.0;     ///< Of the reading, per metre for an echo and a plain probability for none.
   double plan = 0.0;        ///< The density if nothing were remembered.
   double mapped = 0.0;      ///< Probability that something in the plan answered.
 };
-[[nodiscard]] Outcome assimilate(Particle& particle, const Shot& shot, const EchoModel& model,
-                                 scene::Scene& scene) noexcept;
 
-/// Kalman update of the log sound-speed scale alone with a reading of variance `variance`.
-void observe_log_scale(Particle& particle, double log_scale, double variance) noexcept;
+/// What the shot's reading says of a particle. Reflectors answer in order of distance, the nearest that does wins:
+///   p(z) = (1 - deaf) [quiet sum_j c_j prod_{i<j} (1 - c_i) N(z; d_j, S_j)
+///                      + unmapped(z) prod_{d_i < z} (1 - c_i)] + ghost,
+///   p(none) = deaf + (1 - deaf) quiet prod (1 - c_i).
+/// Always finite and positive.
+[[nodiscard]] Outcome weigh(const Particle& particle, const Shot& shot, const EchoModel& model,
+                            scene::Scene& scene) noexcept;
+
+/// The same, and the particle's Gaussian is updated with the reading: see merge().
+Outcome assimilate(Particle& particle, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept;
+/// For who is followed: see merge_or_choose(). Who is looked for may be at so many places, each of so few particles,
+/// that draws would lose them.
+Outcome assimilate(Particle& particle, const Shot& shot, const EchoModel& model, scene::Scene& scene,
+                   Random& random) noexcept;
 
 }  // namespace echoway::tracker

@@ -31,15 +31,14 @@ TEST(Panorama, ExpectsWhatTheTrackerExpectsThere) {
     panorama.stand_at(room, place);
     for (int k = 0; k < Panorama::kDirections; ++k) {
       const double angle = wrap_near(kTwoPi * k / Panorama::kDirections);
-      Particle p = standing(room, place, angle);
+      const Particle p = standing(room, place, angle);
       Shot shot;
       shot.radius = belt.radius_m;
       shot.coarse = true;
       for (const double range : {0.0, 0.8, 1.7, 3.2}) {
         shot.echo = range > 0.0;
         shot.range = range;
-        Particle untouched = p;
-        const double exact = assimilate(untouched, shot, model, scene).density;
+        const double exact = weigh(p, shot, model, scene).density;
         const Panorama::Sight& sight = panorama.towards(angle, belt.radius_m, model, scene);
         const double seen = density_of(sight, shot.echo, range, {}, model);
         EXPECT_NEAR(seen, exact, 1e-9 * exact) << "room " << room << ", direction " << k << ", range " << range;

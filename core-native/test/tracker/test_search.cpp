@@ -83,8 +83,7 @@ class SearchTest : public SearchingTest {
   }
 
   double log_density(const Record& record) {
-    Particle p = wearer();
-    return fast_log(assimilate(p, shot_of_sensor(record), model_, scene_).density);
+    return fast_log(weigh(wearer(), shot_of_sensor(record), model_, scene_).density);
   }
 };
 

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+
+#include "echoway/geometry/vec2.hpp"
+#include "echoway/random.hpp"
+#include "tracker/particle.hpp"
+
+namespace echoway::tracker {
+
+/// P h: how a particle's position, speed and log sound-speed scale vary with a range of gradient h.
+struct Covariation {
+  double x, y, s, k;
+};
+
+/// The same for a range of this gradient over position and of `range` over the log scale, metres.
+[[nodiscard]] inline Covariation covariation(const Covariance& c, Vec2 gradient, double range) noexcept {
+  return {c.xx * gradient.x + c.xy * gradient.y + c.xk * range, c.xy * gradient.x + c.yy * gradient.y + c.yk * range,
+          c.xs * gradient.x + c.ys * gradient.y + c.sk * range, c.xk * gradient.x + c.yk * gradient.y + c.kk * range};
+}
+
+/// One reflector that may have answered.
+struct Association {
+  double share;             ///< Probability that it did.
+  double innovation;        ///< Metres: what was read less what was expected,
+  double variance;          ///< and that of it.
+  Covariation with;
+};
+
+/// The particle's Gaussian given that one of `associations` answered, or none of them with the rest of the probability:
+/// the hypotheses merged into one (probabilistic data association, Bar-Shalom and Fortmann 1988, section 6.4).
+void merge(Particle& particle, std::span<const Association> associations) noexcept;
+
+/// The same as long as what answered hardly matters to where the particle lies. Otherwise it takes one of the
+/// hypotheses, drawn by its probability (Särkkä, Vehtari and Lampinen 2007): a mean of "that is the wall" and "that is
+/// a cupboard before it" is a place where the wearer is not in either case.
+void merge_or_choose(Particle& particle, std::span<const Association> associations, Random& random) noexcept;
+
+/// Kalman update of the log sound-speed scale alone with a reading of variance `variance`.
+void observe_log_scale(Particle& particle, double log_scale, double variance) noexcept;
+
+}  // namespace echoway::tracker
