@@ -11,7 +11,8 @@ using namespace tracker;
 
 namespace {
 
-constexpr double kStartPositionSigma = 0.30;      // Metres: what "here" means to whoever says it.
+constexpr double kHere = 0.10;                    // Metres: what "here" means to half of those who say their heading,
+constexpr double kHereabouts = 0.30;              // and to the others.
 constexpr double kStartHeadingSigma = degrees(6.0);
 constexpr double kStartSpeedSigma = 0.2;          // Metres a second, of one who walks.
 constexpr std::size_t kFacing = 400;              // Particles of a start whose heading is known,
@@ -98,7 +99,9 @@ void BayesLocator::Core::place_known(const Pose2& pose, RoomIndex room, bool hea
     p.speed = !walks ? 0.0 : i % 4 == 0 ? pace_ : random_.uniform(motion_.slowest_pace, motion_.fastest_pace);
     p.gyro_bias = motion_.gyro_bias_sigma * cheap_normal(random_);
     p.turn_rate = motion_.straight_sigma * cheap_normal(random_);
-    p.cov.xx = p.cov.yy = kStartPositionSigma * kStartPositionSigma;
+    const bool exact = heading_known && (i / 4) % 2 == 0;   // Of each gait and pace one half.
+    const double sigma = exact ? kHere : kHereabouts;
+    p.cov.xx = p.cov.yy = sigma * sigma;
     p.cov.ss = walks ? kStartSpeedSigma * kStartSpeedSigma : motion_.standing_sigma * motion_.standing_sigma;
     p.cov.kk = motion_.scale_sigma * motion_.scale_sigma;
     main_.push(p);
