@@ -75,7 +75,8 @@ bool BayesLocator::Core::on_firing(const Firing& firing) {
   if (covered()) record.trust = 0.0;
 
   if (const auto rate = hints_.take_still_rate()) stand_still(*rate);
-  const auto gait = hints_.take_gait_evidence(firing.time_s, record.interval.seconds);
+  auto gait = hints_.take_gait_evidence(firing.time_s, record.interval.seconds);
+  if (record.echo && gyro_) gait.still = stillness_.hear(record.sensor, record.range, firing.time_s, pace_);
   if (!main_.empty()) track(record, gait);
   choose_model(record);
   pursue_search();
@@ -176,10 +177,18 @@ BayesLocator::Core::Verdict BayesLocator::Core::update(Population& population, c
     }
     p.weight *= settle_on_floor(p, scene_);
   }
+  // What the plan explains has been weighed by place: along a plain wall who walks hears the same again as well.
+  if (before > 0.0) favour_standing(population, tempered(gait.still, std::max(record.trust - mapped / before, 0.0)));
   population.temper_modes(!gyro_ ? kShareBetweenBlind : away_ > kPerhapsAway ? kShareBetweenLevels : kShareBetween);
   population.normalize();
   if (!(before > 0.0)) return {};
   return {fast_log(plan) - fast_log(before), mapped / before};
+}
+
+void BayesLocator::Core::favour_standing(Population& population, double odds) {
+  for (Particle& p : population.particles()) {
+    if (p.gait == Gait::standing) p.weight *= odds;
+  }
 }
 
 double BayesLocator::Core::mapped_share_of(const Particle& p, Shot shot) {

@@ -20,6 +20,7 @@
 #include "tracker/rivals.hpp"
 #include "tracker/search.hpp"
 #include "tracker/sensor_health.hpp"
+#include "tracker/stillness.hpp"
 #include "tracker/summary.hpp"
 
 namespace echoway {
@@ -67,6 +68,7 @@ class BayesLocator::Core {
   };
   Verdict update(tracker::Population& population, const tracker::Record& record,
                  const tracker::HintIntegrator::GaitEvidence& gait, const tracker::Shot& shot);
+  static void favour_standing(tracker::Population& population, double odds);
   [[nodiscard]] double mapped_share_of(const tracker::Particle& p, tracker::Shot shot);
   [[nodiscard]] double density_away(tracker::Particle& p, const tracker::Shot& shot, double anywhere);
   void track(tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait);
@@ -152,6 +154,7 @@ class BayesLocator::Core {
   tracker::EchoMemory memory_;
   tracker::EchoRepeats repeats_;
   tracker::Novelty novelty_;
+  tracker::Stillness stillness_;
   double away_ = 0.0;               ///< Probability that the wearer is on stairs or in an elevator,
   tracker::LevelLinks::Landing landing_;   ///< and where that leads, most likely.
   double mapped_share_ = 0.0;       ///< Of recent echoes that something in the plan explains.

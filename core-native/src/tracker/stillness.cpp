@@ -1,0 +1,45 @@
+#include "tracker/stillness.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "echoway/units.hpp"
+#include "tracker/elementary.hpp"
+
+namespace echoway::tracker {
+namespace {
+
+constexpr double kOldest = 1.5;                // Seconds.
+constexpr double kSameSide = degrees(6.0);     // A sensor that turned by more looks elsewhere.
+// Of a hundred echoes of who stands ninety repeat the last one, give or take so much (a Cauchy distribution: some come
+// from another part of the same thing) ...
+constexpr double kRepeated = 0.9;
+constexpr double kSpread = 0.01;               // Metres,
+constexpr double kSpreadPerMetre = 0.005;
+constexpr double kAnything = 0.02;             // and the rest have this density, per metre.
+// ... of who walks seventy change by up to what they walked meanwhile, and the others by anything.
+constexpr double kChanged = 0.7;
+constexpr double kShareOfWay = 0.7;            // Standard deviation, of the way,
+constexpr double kShortestWay = 0.3;           // metres.
+constexpr double kAnythingElse = 0.03;         // Per metre.
+constexpr double kEvidence = 0.3;              // Of it counts: walls along the way repeat themselves to who walks, too,
+                                               // and the echoes that the plan explains are weighed by place already.
+}  // namespace
+
+double Stillness::hear(int sensor, double range, double time_s, double pace) noexcept {
+  Last& mine = last_[static_cast<std::size_t>(sensor)];
+  const Last last = std::exchange(mine, {time_s, range, turned_});
+  const double age = time_s - last.time_s;
+  if (!(age > 0.0 && age < kOldest) || !(std::abs(turned_ - last.turned) < kSameSide)) return 1.0;
+  const double change = std::abs(range - last.range);
+  const double spread = kSpread + kSpreadPerMetre * range;
+  const double off = change / spread;
+  const double same = kRepeated * 2.0 / (kPi * spread * (1.0 + off * off)) + kAnything;
+  const double way = std::max(kShortestWay, kShareOfWay * pace * age);
+  const double far = change / way;
+  const double other = kChanged * 2.0 * kInvSqrtTwoPi / way * fast_exp(-0.5 * far * far) + kAnythingElse;
+  return fast_exp(kEvidence * fast_log(same / other));
+}
+
+}  // namespace echoway::tracker

@@ -1,0 +1,87 @@
+#include "tracker/stillness.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "echoway/tracker/bayes_locator.hpp"
+#include "echoway/units.hpp"
+#include "tracker/plans.hpp"
+
+namespace echoway::tracker {
+namespace {
+
+constexpr double kPass = 15 * 0.0624;   // Seconds.
+constexpr double kPace = 0.5;           // m/s.
+constexpr int kSensor = 3;
+
+// What the second of two echoes of a sensor, a pass apart, tells.
+double told_by(double first, double second, double turn = 0.0, double seconds = kPass) {
+  Stillness stillness;
+  EXPECT_EQ(stillness.hear(kSensor, first, 1.0, kPace), 1.0) << "a first echo tells nothing";
+  stillness.turn(turn);
+  return stillness.hear(kSensor, second, 1.0 + seconds, kPace);
+}
+
+TEST(Stillness, IsToldByAnEchoThatRepeatsTheLast) {
+  EXPECT_GT(told_by(2.0, 2.01), 1.5);
+  EXPECT_GT(told_by(6.0, 6.05), 1.2) << "far things are heard less exactly";
+}
+
+TEST(Stillness, IsDeniedByOneThatHasChangedByWhatAWearerWalks) {
+  EXPECT_LT(told_by(2.0, 1.6), 0.6);
+  EXPECT_LT(told_by(2.0, 2.4), 0.6);
+}
+
+TEST(Stillness, IsNotToldOfASensorThatLooksElsewhereNow) {
+  EXPECT_EQ(told_by(2.0, 2.0, degrees(20.0)), 1.0);
+  EXPECT_EQ(told_by(2.0, 2.0, degrees(-20.0)), 1.0);
+  EXPECT_GT(told_by(2.0, 2.0, degrees(2.0)), 1.5);
+}
+
+TEST(Stillness, IsNotToldByAnEchoOfLongAgo) { EXPECT_EQ(told_by(2.0, 2.0, 0.0, 3.0), 1.0); }
+
+TEST(Stillness, IsFiniteForAnyRange) {
+  for (const double second : {0.01, 10.7, 1e6, 1e300}) {
+    const double odds = told_by(2.0, second);
+    EXPECT_TRUE(std::isfinite(odds) && odds > 0.0) << second;
+  }
+}
+
+// A wearer in the middle of a long hall that says nothing of the way along it, cupboards farther on that stand in no
+// plan, and a phone that counts no steps.
+class HallWithCupboards : public ::testing::Test {
+ protected:
+  static constexpr double kWidth = 2.4, kCupboards = 15.0, kFrom = 10.0;
+  static constexpr double kStops = 6.0, kEnds = 9.0;   // Seconds.
+  BeltConfig belt_;
+  Building hall_;
+
+  HallWithCupboards() {
+    hall_.rooms.push_back(test::room_from_outline("hall", {{0, 0}, {40, 0}, {40, kWidth}, {0, kWidth}}));
+  }
+
+  double heard(int sensor, double x) const {
+    const double bearing = wrap_angle(belt_.bearing(sensor));
+    if (std::abs(bearing) < degrees(60.0)) return (kCupboards - x) / std::cos(bearing) - belt_.radius_m;
+    const bool beside = std::abs(std::abs(bearing) - 0.5 * kPi) < degrees(13.0);
+    return beside ? 0.5 * kWidth - belt_.radius_m : Firing::kNoEcho;
+  }
+};
+
+TEST_F(HallWithCupboards, TellsThatTheWearerHasStopped) {
+  BayesLocator locator(hall_, belt_, {.room = 0, .position = Vec2{kFrom, 0.5 * kWidth}, .heading = 0.0}, {});
+  double farthest_on = 0.0, x = kFrom;
+  for (int i = 0; i * 0.0624 < kEnds; ++i) {
+    const double time = i * 0.0624;
+    x = kFrom + kPace * std::min(time, kStops);
+    const int sensor = i % belt_.sensors;
+    locator.on_motion({time, MotionKind::yaw_rate, 0.0});
+    locator.on_firing({time, sensor, heard(sensor, x)});
+    if (time > kStops + 2.0) farthest_on = std::max(farthest_on, locator.estimate().speed_mps);
+  }
+  EXPECT_LT(farthest_on, 0.15) << "m/s, two seconds after they stopped";
+}
+
+}  // namespace
+}  // namespace echoway::tracker
