@@ -6,6 +6,7 @@
 #include "tracker/association.hpp"
 #include "tracker/elementary.hpp"
 #include "tracker/floor.hpp"
+#include "tracker/particle_need.hpp"
 
 namespace echoway {
 
@@ -13,8 +14,6 @@ using namespace tracker;
 
 namespace {
 
-constexpr std::size_t kParticlesPerCell = 14;     // While several places are possible.
-constexpr std::size_t kSettledCells = 10;         // A belief this narrow takes the tracking number of particles.
 constexpr double kStairwellShare = 0.80;          // Or neither: it is not known what answers there.
 constexpr double kShareBetween = 0.15;            // Of the evidence between places that lie apart: what is in no plan
                                                   // speaks for one of two alike as long as it is heard. Without a
@@ -23,10 +22,7 @@ constexpr double kShareBetweenLevels = 0.5;       // Who is away shall be found 
 constexpr double kUnhurried = 0.6;                // m/s; who walks faster goes farther between two looks of a sensor.
 constexpr double kNarrow = 0.15;                  // Metres: a place known so well takes the fewest particles,
 constexpr double kMostNeeded = 2.5;               // another one so many times as many at most.
-constexpr std::size_t kDoubtParticles = 80;       // At least so many more for each of three steps of doubt.
-constexpr std::uint64_t kSilence = 32;            // Firings without an echo after which
-constexpr std::size_t kDeafParticles = 400;       // more particles would learn no more.
-constexpr std::size_t kAwayParticles = 800;       // Few of them arrive at the right moment and facing the right way.
+constexpr std::uint64_t kSilence = 32;            // Firings without an echo that count as one.
 constexpr double kLongestInterval = 3.0;          // Seconds that are still walked through; longer ones are a break.
 constexpr double kTemperatureSigma = 0.006;       // ln of speed: 3.5 K, a thermometer against the body.
 constexpr double kPlanExplains = 0.52;
@@ -232,16 +228,10 @@ void BayesLocator::Core::thin_out(Population& population) {
   const bool shrink = size > settled + settled / 4;
   const bool worn = population.least_effective_share() <= 0.5;
   if (!worn && !(shrink && history_.end() % 4 == 0)) return;
-  const std::size_t cells = population.occupied_cells();
-  std::size_t target = settled;
-  if (away_ > kPerhapsAway) target = std::max(target, kAwayParticles);
-  if (cells > kSettledCells) target = std::max(target, kParticlesPerCell * cells);
-  const std::size_t more_in_doubt = std::max(settled, kDoubtParticles);
-  const double more = (fit_.doubt() - 1.0) * static_cast<double>(more_in_doubt);
-  target = std::max(target, settled + static_cast<std::size_t>(more));
+  const bool away = away_ > kPerhapsAway;
   const bool silent = echoes_since(history_.end() - std::min(history_.end(), kSilence)) == 0;
-  if (silent && away_ <= kPerhapsAway) target = std::min(target, kDeafParticles);
-  target = std::min(target, population.capacity());
+  const ParticleNeed belief{settled, population.occupied_cells(), fit_.doubt(), away, silent};
+  const std::size_t target = particles_needed(belief, population.capacity());
   if (!worn && target >= size) return;
   if (options_.parts.modes && &population == &main_) {
     modes_.resample(population, summary_, building_, target, !gyro_, random_);
