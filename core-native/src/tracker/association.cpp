@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kMostScale = 0.08;        // ln of speed: at -20 and at 70 degrees it is no farther from that at 20.
 constexpr double kLeastShare = 1e-3;       // Updates of smaller association probability are skipped.
-constexpr double kApart = 0.10;            // Metres, within which hypotheses are merged.
+constexpr double kApart = 0.10;            // Metres that an answer moves a particle in the mean: more is not averaged.
 
 // cov += f * d d^T
 void add_outer(Covariance& c, const Covariation& d, double f) noexcept {
@@ -62,6 +62,7 @@ void shift_by_mean(Particle& p, std::span<const Association> associations, const
   move(p, shift, 1.0);
 }
 
+// With the probability that the shares leave nothing in the plan answered, and the particle stays as it is.
 void choose(Particle& p, std::span<const Association> associations, Random& random) noexcept {
   double left = random.uniform();
   for (const Association& a : associations) {
@@ -80,7 +81,7 @@ void merge_or_choose(Particle& p, std::span<const Association> associations, Ran
   const double share = total_share(associations);
   if (!(share > kLeastShare)) return;
   const Covariation shift = mean_shift(associations);
-  const double apart = kApart * share;
+  const double apart = kApart * share;   // `shift` counts "none" as no move; an answer's mean one is shift / share.
   if (squared_norm({shift.x, shift.y}) > apart * apart) return choose(p, associations, random);
   shift_by_mean(p, associations, shift);
 }

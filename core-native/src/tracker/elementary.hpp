@@ -67,7 +67,7 @@ namespace echoway::tracker {
 
 inline constexpr double kInvSqrtTwoPi = 0.3989422804014327;
 
-/// `density` to the power of `share`, positive and at most 1: what evidence weighs of which only a share is new.
+/// `density` to the power of `share`, 0 ... 1: what evidence weighs of which only a share is new.
 [[nodiscard]] inline double tempered(double density, double share) noexcept {
   return share < 1.0 ? fast_exp(share * fast_log(density)) : density;
 }

@@ -1,6 +1,7 @@
 #include "tracker/likelihood.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tracker/association.hpp"
@@ -16,6 +17,7 @@ struct Hearing {
   std::array<Association, ExpectedEchoes::kMax> association;   // The first `count`. The rest is not zeroed.
 
   [[nodiscard]] std::span<Association> associations() noexcept { return {association.data(), count}; }
+  [[nodiscard]] std::span<const Association> associations() const noexcept { return {association.data(), count}; }
 };
 
 // Density of the shot's range from what was noted before in no plan.
@@ -38,6 +40,15 @@ double remembered(const Particle& p, const Shot& shot, const EchoModel& model) n
   return density;
 }
 
+// Density of the shot's range from what answered a moment ago and is nothing in the plan, as the particle sees it.
+double repeated(const Particle& p, const Shot& shot) noexcept {
+  double density = 0.0;
+  for (const Repeat& r : shot.repeats) {
+    density += r.density * (1.0 / 255.0) * p.strangers[static_cast<std::size_t>(r.sensor)];
+  }
+  return density;
+}
+
 Hearing hear_nothing(const ExpectedEchoes& expected, const Shot& shot, const EchoModel& model) noexcept {
   double survival = 1.0;
   for (int j = 0; j < expected.count; ++j) survival *= 1.0 - expected.echo[static_cast<std::size_t>(j)].chance;
@@ -45,6 +56,23 @@ Hearing hear_nothing(const ExpectedEchoes& expected, const Shot& shot, const Ech
   Hearing heard;
   heard.outcome = {silent, silent, 0.0};
   return heard;
+}
+
+// Adds a reflector to those that may have answered, unless the range is too far off. Its share is left as the density
+// of the range from it, which is returned: what else may have answered is not known yet. `chance`: that it answers, and
+// nothing nearer does.
+double consider(const ExpectedEcho& e, double chance, const Particle& p, const Shot& shot, const EchoModel& model,
+                Hearing& heard) noexcept {
+  const double innovation = shot.range - e.range * (1.0 + p.log_scale);
+  const double noise = model.variance(e.range) + e.extra_variance;
+  const Covariation with = covariation(p.cov, e.gradient(), e.range);
+  const double own = std::max(with.x * e.gradient_x + with.y * e.gradient_y + with.k * e.range, 0.0);
+  const double variance = noise + own;
+  const double normalized = innovation * innovation / variance;
+  if (!(normalized < kGate2)) return 0.0;
+  const double density = chance * (kInvSqrtTwoPi / std::sqrt(variance) * fast_exp(-0.5 * normalized));
+  heard.association[heard.count++] = {density, innovation, own + noise / shot.novelty, with};
+  return density;
 }
 
 Hearing hear(const Particle& p, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept {
@@ -56,26 +84,11 @@ Hearing hear(const Particle& p, const Shot& shot, const EchoModel& model, scene:
   double explained = 0.0;
   for (int j = 0; j < expected.count; ++j) {
     const ExpectedEcho& e = expected.echo[static_cast<std::size_t>(j)];
-    const double innovation = shot.range - e.range * (1.0 + p.log_scale);
-    const double noise = model.variance(e.range) + e.extra_variance;
-    const Covariation with = covariation(p.cov, e.gradient(), e.range);
-    const double own = with.x * e.gradient_x + with.y * e.gradient_y + with.k * e.range;
-    const double variance = noise + std::max(own, 0.0);
-    const double normalized = innovation * innovation / variance;
-    if (normalized < kGate2) {
-      const double density = kInvSqrtTwoPi / std::sqrt(variance) * fast_exp(-0.5 * normalized);
-      const double weight = survival * e.chance * density;
-      heard.association[heard.count++] = {weight, innovation, std::max(own, 0.0) + noise / shot.novelty, with};
-      explained += weight;
-    }
+    explained += consider(e, survival * e.chance, p, shot, model, heard);
     survival *= 1.0 - e.chance;
     if (e.range < shot.range) survival_at_range = survival;
   }
-  double repeated = 0.0;
-  for (const Repeat& r : shot.repeats) {
-    repeated += r.density * (1.0 / 255.0) * p.strangers[static_cast<std::size_t>(r.sensor)];
-  }
-  const double again = survival_at_range * (repeated + remembered(p, shot, model));
+  const double again = survival_at_range * (repeated(p, shot) + remembered(p, shot, model));
   const double total = model.echo(explained, survival_at_range, shot.range, again);
   const double density = std::max(kLeastDensity, total);
   const double plan = std::max(kLeastDensity, total - model.heard() * again);
@@ -89,6 +102,7 @@ Hearing hear(const Particle& p, const Shot& shot, const EchoModel& model, scene:
 }
 
 void note_stranger(Particle& p, const Shot& shot, const Outcome& outcome) noexcept {
+  if (!shot.echo) return;
   const double stranger = std::clamp(1.0 - outcome.mapped, 0.0, 1.0);
   p.strangers[static_cast<std::size_t>(shot.sensor)] = static_cast<std::uint8_t>(255.0 * stranger);
 }
@@ -113,8 +127,7 @@ Outcome weigh(const Particle& p, const Shot& shot, const EchoModel& model, scene
 }
 
 Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept {
-  Hearing heard = hear(p, shot, model, scene);
-  if (!shot.echo) return heard.outcome;
+  const Hearing heard = hear(p, shot, model, scene);
   merge(p, heard.associations());
   note_stranger(p, shot, heard.outcome);
   return heard.outcome;
@@ -122,8 +135,7 @@ Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene:
 
 Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene::Scene& scene,
                    Random& random) noexcept {
-  Hearing heard = hear(p, shot, model, scene);
-  if (!shot.echo) return heard.outcome;
+  const Hearing heard = hear(p, shot, model, scene);
   merge_or_choose(p, heard.associations(), random);
   note_stranger(p, shot, heard.outcome);
   return heard.outcome;

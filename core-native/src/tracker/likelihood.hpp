@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "echoway/belt/belt.hpp"
@@ -36,9 +37,9 @@ inline constexpr double kLeastDensity = 1e-12;  ///< A density never falls below
 
 /// An echo that the map lets a particle expect.
 struct ExpectedEcho {
-  double range;             ///< True distance from the transducer's face.
+  double range;             ///< Metres: true distance from the transducer's face.
   double chance;            ///< That it answers when nothing nearer does.
-  double extra_variance;
+  double extra_variance;    ///< Metres^2, besides the model's.
   double gradient_x;        ///< Of `range` over position.
   double gradient_y;
 
@@ -72,7 +73,8 @@ struct Outcome {
 [[nodiscard]] Outcome weigh(const Particle& particle, const Shot& shot, const EchoModel& model,
                             scene::Scene& scene) noexcept;
 
-/// The same, and the particle's Gaussian is updated with the reading: see merge().
+/// The same, and the particle's Gaussian is updated with the reading, if that is an echo: see merge(). It also takes
+/// down in `strangers` how likely nothing in the plan answered.
 Outcome assimilate(Particle& particle, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept;
 /// For who is followed: see merge_or_choose(). Who is looked for may be at so many places, each of so few particles,
 /// that draws would lose them.

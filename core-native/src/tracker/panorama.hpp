@@ -43,7 +43,7 @@ struct Offset {
   double log_scale_variance = 0.0;
 };
 
-/// Density of a reading as in assimilate(), per metre for an echo and a plain probability for none.
+/// Density of a reading as in weigh(), per metre for an echo and a plain probability for none.
 [[nodiscard]] double density_of(const Panorama::Sight& sight, bool echo, double range, const Offset& offset,
                                 const EchoModel& model) noexcept;
 
