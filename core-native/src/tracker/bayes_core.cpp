@@ -181,9 +181,11 @@ BayesLocator::Core::Verdict BayesLocator::Core::update(Population& population, c
   return {fast_log(plan) - fast_log(before), mapped / before};
 }
 
-void BayesLocator::Core::favour_standing(Population& population, double odds) {
+// Who rides an elevator stands as well, and hears the cabin again and again.
+void BayesLocator::Core::favour_standing(Population& population, double odds) const {
   for (Particle& p : population.particles()) {
-    if (p.gait == Gait::standing) p.weight *= odds;
+    const bool rides = p.gait == Gait::away && !links_.on_stairs(p);
+    if (rides || p.gait == Gait::standing) p.weight *= odds;
   }
 }
 

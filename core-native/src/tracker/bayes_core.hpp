@@ -68,7 +68,7 @@ class BayesLocator::Core {
   };
   Verdict update(tracker::Population& population, const tracker::Record& record,
                  const tracker::HintIntegrator::GaitEvidence& gait, const tracker::Shot& shot);
-  static void favour_standing(tracker::Population& population, double odds);
+  void favour_standing(tracker::Population& population, double odds) const;
   [[nodiscard]] double mapped_share_of(const tracker::Particle& p, tracker::Shot shot);
   [[nodiscard]] double density_away(tracker::Particle& p, const tracker::Shot& shot, double anywhere);
   void track(tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait);

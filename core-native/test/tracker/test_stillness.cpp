@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "echoway/building/loader.hpp"
+#include "echoway/sim/simulate.hpp"
 #include "echoway/tracker/bayes_locator.hpp"
 #include "echoway/units.hpp"
 #include "tracker/plans.hpp"
+#include "tracker/play.hpp"
 
 namespace echoway::tracker {
 namespace {
@@ -82,6 +86,26 @@ TEST_F(HallWithCupboards, TellsThatTheWearerHasStopped) {
     if (time > kStops + 2.0) farthest_on = std::max(farthest_on, locator.estimate().speed_mps);
   }
   EXPECT_LT(farthest_on, 0.15) << "m/s, two seconds after they stopped";
+}
+
+// A cabin's walls repeat themselves, too, and stand in no plan: that is no reason to think of who rides in it as standing
+// before its door.
+TEST(Stillness, IsThatOfAnElevatorsRidersAsWell) {
+  const Building building = *load_building(std::string(ECHOWAY_MAPS_DIR) + "/westport-house");
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    sim::Walk walk;
+    walk.seed = seed;
+    walk.start = {"g-room-3", {11.5, 11.0}};
+    walk.world = sim::make_world(sim::Profile::furnished);
+    walk.add(sim::GoTo{{"1-room-3", {43.0, 58.5}}});
+    walk.add(sim::GoTo{{"1-room-3", {46.0, 58.5}}});
+    const auto ride = *sim::simulate(building, walk);
+    const TruthRow& first = ride.truth.front();
+    const Start start{building.find_room(first.room), first.pose.position, first.pose.heading};
+    BayesLocator locator(building, ride.scans.belt.apply_to({}), start, {});
+    test::play(ride, locator, [](std::size_t) {});
+    EXPECT_EQ(locator.estimate().room, building.find_room("1-room-3")) << "ride " << seed;
+  }
 }
 
 }  // namespace
