@@ -88,7 +88,7 @@ TEST_F(HallWithCupboards, TellsThatTheWearerHasStopped) {
   EXPECT_LT(farthest_on, 0.15) << "m/s, two seconds after they stopped";
 }
 
-// A cabin's walls repeat themselves, too, and stand in no plan: that is no reason to think of who rides in it as standing
+// A cabin's walls repeat themselves, too, and stand in no plan: that is no reason to think that who rides in it stands
 // before its door.
 TEST(Stillness, IsThatOfAnElevatorsRidersAsWell) {
   const Building building = *load_building(std::string(ECHOWAY_MAPS_DIR) + "/westport-house");
