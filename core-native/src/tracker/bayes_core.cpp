@@ -174,11 +174,12 @@ BayesLocator::Core::Verdict BayesLocator::Core::update(Population& population, c
     p.weight *= settle_on_floor(p, scene_);
   }
   // What the plan explains has been weighed by place: along a plain wall who walks hears the same again as well.
-  if (before > 0.0) favour_standing(population, tempered(gait.still, std::max(record.trust - mapped / before, 0.0)));
+  const double explained = before > 0.0 ? mapped / before : 0.0;
+  if (gait.still != 1.0) favour_standing(population, tempered(gait.still, std::max(record.trust - explained, 0.0)));
   population.temper_modes(!gyro_ ? kShareBetweenBlind : away_ > kPerhapsAway ? kShareBetweenLevels : kShareBetween);
   population.normalize();
   if (!(before > 0.0)) return {};
-  return {fast_log(plan) - fast_log(before), mapped / before};
+  return {fast_log(plan) - fast_log(before), explained};
 }
 
 // Who rides an elevator stands as well, and hears the cabin again and again.

@@ -23,8 +23,8 @@ constexpr double kChanged = 0.7;
 constexpr double kShareOfWay = 0.7;            // Standard deviation, of the way,
 constexpr double kShortestWay = 0.3;           // metres.
 constexpr double kAnythingElse = 0.03;         // Per metre.
-constexpr double kEvidence = 0.3;              // Of it counts: walls along the way repeat themselves to who walks, too,
-                                               // and the echoes that the plan explains are weighed by place already.
+constexpr double kEvidence = 0.3;              // Of it counts: shelves repeat themselves to who walks, too.
+
 }  // namespace
 
 double Stillness::hear(int sensor, double range, double time_s, double pace) noexcept {
