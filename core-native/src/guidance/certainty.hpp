@@ -26,7 +26,8 @@ class Certainty {
   [[nodiscard]] bool jumped(double now) const noexcept { return now - jumped_s_ < config_->settle_s; }
   /// Whether the last estimate alone says that the place is known.
   [[nodiscard]] bool fits_now() const noexcept { return fits_now_; }
-  /// Whether the wearer's place was known from the first estimate on: somebody said where they start.
+  /// Whether the wearer's place and which way they face were known from the first estimate on: somebody said where they
+  /// start.
   [[nodiscard]] bool was_told() const noexcept { return told_; }
   /// Whether the wearer has not left the room where the tracker found them by itself: they may be in another that looks
   /// the same.

@@ -1119,6 +1119,16 @@ TEST_F(GuideTest, DoesNotDoubtAPlaceThatTheWearerTold) {
   EXPECT_FALSE(guide.take_doubt()) << "something stands in their way";
 }
 
+TEST_F(GuideTest, DoubtsAPlaceThatTheWearerToldWithoutTheWayTheyFace) {
+  ASSERT_TRUE(guide.set_destination("Lectern"));
+  Estimate told = at(0, 0, {1, 2.5}, 0.0);
+  told.sigma_heading_rad = degrees(15.0);
+  (void)wearer.step(told);
+  (void)wearer.turn_about(10.0, 0, {1, 2.5});
+  (void)wearer.stand(150.0, 0, {1, 2.5}, 0.0);
+  EXPECT_TRUE(guide.take_doubt());
+}
+
 TEST_F(GuideTest, AfterARestartThePlaceIsDoubtedByTheNewStartAlone) {
   ASSERT_TRUE(guide.set_destination("Lectern"));
   (void)wearer.stay(5.0, lost(0));

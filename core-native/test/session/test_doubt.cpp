@@ -2,6 +2,7 @@
 // look the same. Led from there they get nowhere.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <optional>
 #include <set>
 
@@ -20,8 +21,9 @@ constexpr Vec2 kHere{2.0, 1.0};
 constexpr double kLed = 25.0;  ///< s; the way has been told for a while, and not for long enough to doubt the place.
 
 /// Turns round once, which tells which way they face, and then stands still whatever they are told.
-Result<sim::Simulation> stand_still(const Building& hall) {
+Result<sim::Simulation> stand_still(const Building& hall, std::uint64_t seed) {
   sim::Walk walk;
+  walk.seed = seed;
   walk.start = {"hall", kHere};
   walk.world = sim::make_world(sim::Profile::empty);
   for (int quarter = 0; quarter < 4; ++quarter) walk.add(sim::TurnBy{degrees(90.0)});
@@ -37,9 +39,9 @@ struct Outcome {
 };
 
 /// Led to where they would have to walk from the place that they said; `heading` is what they said of it.
-std::optional<Outcome> lead_from_the_wrong_place(std::optional<double> heading) {
+std::optional<Outcome> lead_from_the_wrong_place(std::optional<double> heading, std::uint64_t seed = 1) {
   const Building hall = test::plain_hall();
-  const Result<sim::Simulation> walk = stand_still(hall);
+  const Result<sim::Simulation> walk = stand_still(hall, seed);
   SessionConfig config;
   config.start = {0, kFarCorner - kHere, heading};
   const auto session = Session::open(hall, config);
@@ -62,6 +64,14 @@ TEST(SessionDoubt, WhoIsLedAndComesNoNearerIsLookedForElsewhere) {
   ASSERT_TRUE(outcome);
   EXPECT_FALSE(outcome->thought_of_here) << "the test would say nothing";
   EXPECT_TRUE(outcome->searching_at_last);
+  EXPECT_TRUE(outcome->thinks_of_here);
+  EXPECT_TRUE(outcome->cues.contains(CueKind::uncertain)) << "the wearer is told";
+}
+
+TEST(SessionDoubt, WhoDidNotSayWhichWayTheyFaceIsLookedForElsewhereThoughTheFirstEchoSeemedToTell) {
+  constexpr std::uint64_t kFirstEchoTells = 4;
+  const auto outcome = lead_from_the_wrong_place(std::nullopt, kFirstEchoTells);
+  ASSERT_TRUE(outcome);
   EXPECT_TRUE(outcome->thinks_of_here);
   EXPECT_TRUE(outcome->cues.contains(CueKind::uncertain)) << "the wearer is told";
 }

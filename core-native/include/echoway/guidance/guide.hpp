@@ -64,9 +64,10 @@ class Guide {
   /// pass it to the locator.
   [[nodiscard]] std::optional<LevelTransition> take_level_transition();
 
-  /// True once each time something speaks against a place that the locator found and nobody told, or it has yet to be
-  /// proved: the wearer gets nowhere though the plan has a way, meets a wall where the door should be, or has reached
-  /// their destination in the room where they were found. Pass it on to the locator, they may be elsewhere.
+  /// True once each time something speaks against a place that the locator found and nobody told, or told without the
+  /// way that they face, or it has yet to be proved: the wearer gets nowhere though the plan has a way, meets a wall
+  /// where the door should be, or has reached their destination in the room where they were found. Pass it on to the
+  /// locator, they may be elsewhere.
   [[nodiscard]] bool take_doubt();
 
   [[nodiscard]] bool has_destination() const;
