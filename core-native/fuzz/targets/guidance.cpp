@@ -75,7 +75,7 @@ void call(Guide& guide, Reader& in, Wanderer& wearer, Clock& clock) {
     case 2: guide.on_firing({time, in.byte() % 15, static_cast<double>(in.byte()) / 24.0}); break;
     case 3: guide.on_firing({time, static_cast<int>(in.byte()) - 8, 0.02 * in.word()}); break;
     case 4: guide.on_belt_health(any_health(in), time); break;
-    case 5: guide.on_restart(); break;
+    case 5: guide.on_start({0, Vec2{1.0, 1.0}, 0.0}); break;
     case 6:
     case 7: static_cast<void>(ask(guide, in)); break;
     default: estimate(guide, in, wearer, time);

@@ -88,16 +88,13 @@ bool Certainty::is_narrow(const Estimate& e) const noexcept {
 void Certainty::update(const Estimate& e, bool suspended) noexcept {
   constexpr double kProof = degrees(90.0);
   constexpr double kSettled = 5.0;  // s after a jump
-  // Who says where they stand but not which way they face is sometimes turned one way by the first echo, known to 15
-  // degrees and often wrong; who says both is known to 8 at most.
-  constexpr double kToldFacing = degrees(12.0);
   const GuideConfig& c = *config_;
   const bool fits = e.state == TrackState::tracking && e.room != kNoRoom;
   const bool good = (fits || holds_though_unfit(e)) && e.sigma_m <= c.found_sigma_m &&
                     e.room_probability >= c.found_probability;
   if (!started_) {
     changing_since_ = e.time_s;
-    told_ = good && e.sigma_heading_rad <= kToldFacing;
+    told_ = good && facing_told_;
     if (told_) set_home(e);
   }
   started_ = true;

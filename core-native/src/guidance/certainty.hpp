@@ -13,7 +13,10 @@ class Certainty {
  public:
   enum class Level : std::uint8_t { lost, vague, sure };
 
-  Certainty(const Router& router, const GuideConfig& config) : router_(&router), config_(&config) {}
+  /// `facing_told`: a place that is known from the first estimate on was told with the way that the wearer faces. Who
+  /// said where they stand alone may be known as soon, from a first echo that happens to fit one way to face.
+  Certainty(const Router& router, const GuideConfig& config, bool facing_told)
+      : router_(&router), config_(&config), facing_told_(facing_told) {}
 
   /// Takes a new estimate in. `suspended`: echoes need not fit now (stairs), so a loss is not counted.
   void update(const Estimate& estimate, bool suspended) noexcept;
@@ -26,8 +29,8 @@ class Certainty {
   [[nodiscard]] bool jumped(double now) const noexcept { return now - jumped_s_ < config_->settle_s; }
   /// Whether the last estimate alone says that the place is known.
   [[nodiscard]] bool fits_now() const noexcept { return fits_now_; }
-  /// Whether the wearer's place and which way they face were known from the first estimate on: somebody said where they
-  /// start.
+  /// Whether somebody said where the wearer starts and which way they face, and that was known from the first estimate
+  /// on.
   [[nodiscard]] bool was_told() const noexcept { return told_; }
   /// Whether the wearer has not left the room where the tracker found them by itself: they may be in another that looks
   /// the same.
@@ -47,6 +50,7 @@ class Certainty {
 
   const Router* router_;
   const GuideConfig* config_;
+  bool facing_told_;
   Estimate last_{};
   Estimate home_{};              ///< Where the wearer was when the place was last believed.
   double jumped_s_ = -1e300;

@@ -27,12 +27,12 @@ using guidance::Certainty;
 
 struct Guide::Impl {
   Impl(const Router& r, const GuideConfig& c)
-      : router(&r), config(c), voice(config), certainty(r, config), doorstep(r, config), heard(config.belt),
+      : router(&r), config(c), voice(config), certainty(r, config, true), doorstep(r, config), heard(config.belt),
         follower(r, config, heard), obstacles(r, config), search(r, config, heard, turning), answers(r), passing(r),
         climbing(r, config) {}
 
   Status lead_to(const Goal& goal, RoutePreferences preferences, RoomIndex here);
-  void restart();
+  void start(bool facing_told);
   void update(const Estimate& newest, std::span<const Hypothesis> hypotheses);
   void answer_between_levels();
   void be_lost(std::span<const Hypothesis> places);
@@ -133,14 +133,14 @@ void Guide::on_belt_health(const BeltHealth& health, double now_s) {
   impl_->health.update(health, now_s, impl_->voice);
 }
 
-void Guide::on_restart() { impl_->restart(); }
+void Guide::on_start(const Start& start) { impl_->start(start.heading.has_value()); }
 
 void Guide::on_estimate(const Estimate& estimate, std::span<const Hypothesis> hypotheses) {
   if (std::isfinite(estimate.time_s)) impl_->update(estimate, hypotheses);
 }
 
-void Guide::Impl::restart() {
-  certainty = Certainty(*router, config);
+void Guide::Impl::start(bool facing_told) {
+  certainty = Certainty(*router, config, facing_told);
   doorstep.clear();
   obstacles.clear();
   heard.clear();

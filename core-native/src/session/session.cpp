@@ -160,6 +160,7 @@ Result<std::unique_ptr<Session>> Session::open(Building building, const SessionC
   Result<std::unique_ptr<Locator>> locator = begin_to_locate(impl->building, config);
   if (!locator) return locator.error();
   impl->locator = std::move(*locator);
+  impl->guide.on_start(config.start);
   return std::unique_ptr<Session>(new Session(std::move(impl)));
 }
 
@@ -203,7 +204,7 @@ Status Session::restart(const Start& start) {
   impl_->config = config;
   impl_->locator = std::move(*locator);
   impl_->fired_from = {};
-  impl_->guide.on_restart();
+  impl_->guide.on_start(start);
   return success();
 }
 

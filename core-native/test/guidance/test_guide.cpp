@@ -19,6 +19,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 
 constexpr double kSlot = 0.0624;
+const Start kTold{0, Vec2{1.0, 2.5}, 0.0};
 
 Estimate at(double time_s, RoomIndex room, Vec2 position, double heading_deg) {
   Estimate e;
@@ -992,7 +993,7 @@ TEST_F(GuideTest, AfterARestartTheDestinationStaysAndIsToldFromTheNewPlace) {
   ASSERT_TRUE(guide.set_destination("Lectern"));
   (void)wearer.stand(4.0, 0, {1, 2.5}, 0.0);
   ASSERT_FALSE(guide.breadcrumbs().empty());
-  guide.on_restart();
+  guide.on_start(kTold);
   EXPECT_TRUE(guide.has_destination());
   EXPECT_TRUE(guide.route().waypoints.empty()) << "the old way leads from where the wearer is not";
   EXPECT_TRUE(guide.breadcrumbs().empty());
@@ -1008,14 +1009,14 @@ TEST_F(GuideTest, AfterARestartThereIsNoWayBackToWhereTheWearerNeverWas) {
   (void)wearer.stand(1.0, 0, {1, 1}, 0.0);
   (void)wearer.stand(1.0, 0, {2.5, 2.5}, 0.0);
   ASSERT_TRUE(guide.back_track());
-  guide.on_restart();
+  guide.on_start(kTold);
   EXPECT_FALSE(guide.has_destination());
   EXPECT_FALSE(guide.back_track());
 }
 
 TEST_F(GuideTest, AfterARestartTheRoomIsNamedAgain) {
   ASSERT_THAT(kinds(wearer.stand(12.0, 0, {2, 2}, 0.0)), ElementsAre(CueKind::entering));
-  guide.on_restart();
+  guide.on_start(kTold);
   EXPECT_THAT(kinds(wearer.stand(5.0, 0, {2, 2}, 0.0)), Contains(CueKind::entering));
 }
 
@@ -1121,9 +1122,7 @@ TEST_F(GuideTest, DoesNotDoubtAPlaceThatTheWearerTold) {
 
 TEST_F(GuideTest, DoubtsAPlaceThatTheWearerToldWithoutTheWayTheyFace) {
   ASSERT_TRUE(guide.set_destination("Lectern"));
-  Estimate told = at(0, 0, {1, 2.5}, 0.0);
-  told.sigma_heading_rad = degrees(15.0);
-  (void)wearer.step(told);
+  guide.on_start({0, Vec2{1, 2.5}, {}});
   (void)wearer.turn_about(10.0, 0, {1, 2.5});
   (void)wearer.stand(150.0, 0, {1, 2.5}, 0.0);
   EXPECT_TRUE(guide.take_doubt());
@@ -1133,7 +1132,7 @@ TEST_F(GuideTest, AfterARestartThePlaceIsDoubtedByTheNewStartAlone) {
   ASSERT_TRUE(guide.set_destination("Lectern"));
   (void)wearer.stay(5.0, lost(0));
   (void)wearer.turn_about(10.0, 0, {1, 2.5});
-  guide.on_restart();
+  guide.on_start(kTold);
   (void)wearer.stand(150.0, 0, {1, 2.5}, 0.0);
   EXPECT_FALSE(guide.take_doubt()) << "now they said where they are";
 }

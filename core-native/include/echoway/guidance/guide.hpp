@@ -54,9 +54,11 @@ class Guide {
   /// Looks for things in the way; the estimate taken is the newest one.
   void on_firing(const Firing& firing);
   void on_belt_health(const BeltHealth& health, double now_s);
-  /// The locator starts over: whatever followed from where the wearer was taken to be is forgotten, the breadcrumbs
-  /// too. A destination is kept and the way there told anew from the next estimate; a way back ends.
-  void on_restart();
+  /// The locator starts, or starts over, from `start`: whatever followed from where the wearer was taken to be is
+  /// forgotten, the breadcrumbs too. A destination is kept and the way there told anew from the next estimate; a way
+  /// back ends. Before the first call, who is found by the first estimate is taken to have said where they stand and
+  /// which way they face.
+  void on_start(const Start& start);
 
   /// Takes the next cue to be spoken; false when there is none.
   bool next_cue(Cue& cue);
