@@ -18,6 +18,10 @@ struct Target {
 };
 
 std::string building(Bytes data);
+std::string import_osm(Bytes data);
+std::string import_wrld(Bytes data);
+std::string import_imdf(Bytes data);
+std::string import_drawn(Bytes data);
 std::string sentences(Bytes data);
 std::string belt(Bytes data);
 std::string scan_log(Bytes data);

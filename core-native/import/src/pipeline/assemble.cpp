@@ -20,7 +20,7 @@ constexpr double kSamePlace = 3.0;         // metres; equal names nearer than th
 class Assembler {
  public:
   Assembler(const Plan& plan, const std::vector<LevelRooms>& levels, Report& report)
-      : plan_(plan), levels_(levels), report_(report) {
+      : levels_(levels), report_(report) {
     building_.name = clean_name(plan.name);
     building_.unit = LengthUnit::metres;
   }
@@ -205,7 +205,6 @@ class Assembler {
     return "level " + std::to_string(ordinal);
   }
 
-  const Plan& plan_;
   const std::vector<LevelRooms>& levels_;
   Report& report_;
   Building building_;
