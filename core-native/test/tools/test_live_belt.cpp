@@ -14,6 +14,7 @@
 #include "echoway/sim/simulate.hpp"
 #include "echoway/sim/walk_file.hpp"
 #include "echoway/units.hpp"
+#include "tracker/play.hpp"
 
 namespace echoway::tools {
 namespace {
@@ -51,9 +52,8 @@ struct Followed {
 /// third.
 Followed follow_rush(double stall_s) {
   const std::string bytes = sentences_of(lab_walk().scans.firings);
-  const TruthRow& first = lab_walk().truth.front();
   Building lab = load_building(kLab).value();
-  const Start start{lab.find_room(first.room), first.pose.position, first.pose.heading};
+  const Start start = test::start_of(lab_walk(), lab);
   const std::unique_ptr<Session> session = Session::open(std::move(lab), {.start = start}).value();
   Followed followed;
   double host_s = 0.0;

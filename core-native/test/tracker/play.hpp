@@ -2,9 +2,16 @@
 
 #include <cstddef>
 
+#include "echoway/locate/locator.hpp"
 #include "echoway/sim/simulate.hpp"
 
 namespace echoway::test {
+
+/// Where and which way round a walk begins, as a wearer who knows it says it.
+inline Start start_of(const sim::Simulation& walk, const Building& building) {
+  const TruthRow& first = walk.truth.front();
+  return {building.find_room(first.room), first.pose.position, first.pose.heading};
+}
 
 /// Plays a walk to a locator or a session, each motion hint before the firing that follows it; `after(i)` after firing
 /// number i.

@@ -26,10 +26,6 @@ sim::Simulation walk_through(const Building& building, std::uint64_t seed, doubl
   return std::move(*simulation);
 }
 
-Start start_at(const Building& building, const TruthRow& row) {
-  return {building.find_room(row.room), row.pose.position, row.pose.heading};
-}
-
 struct Score {
   double mean_m = 0.0;
   double room_share = 0.0;
@@ -60,7 +56,7 @@ Score follow(Locator& locator, const Building& building, const sim::Simulation& 
 TEST(BayesLocator, KeepsHoldOfAWearerThroughRoomsAndDoors) {
   const Building building = test::small_office();
   const auto walk = walk_through(building, 3, 40.0);
-  BayesLocator locator(building, {}, start_at(building, walk.truth.front()));
+  BayesLocator locator(building, {}, test::start_of(walk, building));
   const Score score = follow(locator, building, walk, true);
   EXPECT_LT(score.mean_m, 0.25);
   EXPECT_GT(score.room_share, 0.95);
@@ -91,7 +87,7 @@ TEST(BayesLocator, ARoomEndsInTheMiddleOfADoorway) {
   double late = 0.0;
   for (std::uint64_t seed = 11; seed <= 14; ++seed) {
     const auto walk = walk_through(building, seed, 90.0, sim::Profile::empty);
-    BayesLocator locator(building, walk.scans.belt.apply_to({}), start_at(building, walk.truth.front()));
+    BayesLocator locator(building, walk.scans.belt.apply_to({}), test::start_of(walk, building));
     late += lateness(locator, building, walk) / 4.0;
   }
   EXPECT_NEAR(late, 0.0, 1.0) << "firings";
@@ -103,8 +99,7 @@ TEST(BayesLocator, HoldsAWearerAmongMoreStrangersThanThingsOfThePlan) {
   const Building building = *load_building(std::string(ECHOWAY_MAPS_DIR) + "/torgersen-lab");
   for (std::uint64_t seed = 301; seed <= 308; ++seed) {
     const auto walk = walk_through(building, seed * 101 + 7, 60.0, sim::Profile::hard);
-    const Start start = start_at(building, walk.truth.front());
-    BayesLocator locator(building, walk.scans.belt.apply_to({}), start, {.seed = seed});
+    BayesLocator locator(building, walk.scans.belt.apply_to({}), test::start_of(walk, building), {.seed = seed});
     EXPECT_LT(follow(locator, building, walk, true).mean_m, 1.0) << "walk " << seed;
   }
 }
@@ -120,8 +115,7 @@ TEST(BayesLocator, HoldsAWearerWhosePhoneSwingsInATrouserPocket) {
     plan.world.phone_swing_rad = degrees(16.0);
     plan.world.step_length_m = 0.4;
     const auto walk = *sim::simulate(building, plan);
-    const Start start = start_at(building, walk.truth.front());
-    BayesLocator locator(building, walk.scans.belt.apply_to({}), start, {.seed = seed});
+    BayesLocator locator(building, walk.scans.belt.apply_to({}), test::start_of(walk, building), {.seed = seed});
     mean_m += follow(locator, building, walk, true).mean_m / 4.0;
   }
   EXPECT_LT(mean_m, 0.7) << "metres; a tracker that trusts the gyroscope loses one of these";
@@ -177,7 +171,7 @@ TEST(BayesLocator, FollowsTurnsThatNoGyroscopeTold) {
   double mean_m = 0.0;
   for (std::uint64_t seed = 905; seed < 905 + kWalks; ++seed) {
     const auto walk = walk_through(*building, seed * 101 + 7, 80.0);
-    BayesLocator locator(*building, {}, start_at(*building, walk.truth.front()));
+    BayesLocator locator(*building, {}, test::start_of(walk, *building));
     mean_m += follow(locator, *building, walk, false).mean_m / kWalks;
   }
   EXPECT_LT(mean_m, 0.3);
@@ -256,7 +250,7 @@ TEST(BayesLocator, LearnsNothingOfTheSpeedOfSoundUnderACover) {
   constexpr int kCovered = 3000;
   const Building building = test::small_office();
   const auto walk = walk_through(building, 3, 60.0);
-  BayesLocator locator(building, {}, start_at(building, walk.truth.front()));
+  BayesLocator locator(building, {}, test::start_of(walk, building));
   const double before = walk.scans.firings.front().time_s - kCovered * 0.0624;
   for (int i = 0; i < kCovered; ++i) locator.on_firing({before + i * 0.0624, i % 15, 0.3});
   EXPECT_LT(std::abs(locator.estimate().sound_speed_scale - 1.0), 0.02);

@@ -56,9 +56,7 @@ Mean follow_with_steps_of(double metres) {
   Mean mean;
   for (std::uint64_t seed = 1; seed <= kWalks; ++seed) {
     const auto walk = walk_with_steps_of(metres, building, seed);
-    const TruthRow& first = walk.truth.front();
-    const Start start{building.find_room(first.room), first.pose.position, first.pose.heading};
-    BayesLocator locator(building, walk.scans.belt.apply_to({}), start, {.seed = seed});
+    BayesLocator locator(building, walk.scans.belt.apply_to({}), test::start_of(walk, building), {.seed = seed});
     test::play(walk, locator, [&](std::size_t i) { mean.add(building, walk, i, locator.estimate()); });
   }
   return mean;

@@ -100,9 +100,7 @@ TEST(Stillness, IsThatOfAnElevatorsRidersAsWell) {
     walk.add(sim::GoTo{{"1-room-3", {43.0, 58.5}}});
     walk.add(sim::GoTo{{"1-room-3", {46.0, 58.5}}});
     const auto ride = *sim::simulate(building, walk);
-    const TruthRow& first = ride.truth.front();
-    const Start start{building.find_room(first.room), first.pose.position, first.pose.heading};
-    BayesLocator locator(building, ride.scans.belt.apply_to({}), start, {});
+    BayesLocator locator(building, ride.scans.belt.apply_to({}), test::start_of(ride, building), {});
     test::play(ride, locator, [](std::size_t) {});
     EXPECT_EQ(locator.estimate().room, building.find_room("1-room-3")) << "ride " << seed;
   }
