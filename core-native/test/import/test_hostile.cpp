@@ -109,6 +109,20 @@ TEST_F(HostilePlan, AWholeNumberMayBeWrittenAsADecimal) {
   EXPECT_THAT(import_level("2.5").error().to_string(), HasSubstr("whole number"));
 }
 
+// Seven metres long and 0.035 mm wide: on the grid of all overlays nothing is left of it.
+TEST_F(HostilePlan, StairsWithoutBreadthAreLeftOut) {
+  const std::string room = R"({"type": "Feature", "properties": {"id": 2, "type": "unit", "name": "Only"}, "geometry":
+    {"type": "Polygon", "coordinates": [[[8.0001, 47.0001], [8.0002, 47.0001], [8.0002, 47.0002], [8.0001, 47.0002]]]}
+    },)";
+  const std::string stairs = R"({"type": "Feature", "properties": {"id": 7, "type": "stairs"}, "geometry":
+    {"type": "Polygon", "coordinates": [[[8.000104, 47.00015], [8.000196, 47.00015], [8.00015, 47.000150000315]]]}})";
+  Report report;
+  const auto imported = import_building(SourceFormat::wrld, wrld(room + stairs), report);
+  ASSERT_TRUE(imported) << imported.error().to_string();
+  EXPECT_THAT(report.items().front().to_string(),
+              testing::AllOf(HasSubstr("feature 7"), HasSubstr("encloses nothing")));
+}
+
 TEST_F(HostilePlan, NothingThatEnclosesIsNoBuilding) {
   EXPECT_THAT(refusal(SourceFormat::wrld, wrld(wall("[8,47],[8.0001,47],[8.0001,47.00001],[8,47.00001]"))),
               HasSubstr("cannot become a building"));

@@ -145,12 +145,14 @@ bool clean_area(Area& area, const Source& source, const std::string& level, Repo
     if (polygon.outer.size() < 3 || std::abs(signed_area(polygon.outer)) < kNoArea) continue;
     drop_outside_holes(polygon, source, level, report);
     const Vec2 at = polygon.outer.front();
+    const geos::Shape on_grid = geos::area_of(polygon);
+    if (on_grid.empty()) continue;  // a sliver that is narrower than the grid
     if (geos::is_valid(polygon)) {
       kept.push_back(std::move(polygon));
       continue;
     }
     report.repaired(source, level, at, "its outline crosses itself: split into areas that do not");
-    for (const geos::Shape& part : geos::areas(geos::area_of(polygon))) kept.push_back(geos::to_polygon(part));
+    for (const geos::Shape& part : geos::areas(on_grid)) kept.push_back(geos::to_polygon(part));
   }
   if (repeats > 0 && !kept.empty()) {
     report.repaired(source, level, kept.front().outer.front(),
