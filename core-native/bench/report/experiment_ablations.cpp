@@ -57,6 +57,7 @@ constexpr Part kParts[] = {
     {"search when echoes fit badly", &TrackerParts::recovery},
     {"places apart kept", &TrackerParts::modes},
     {"proof of what was found", &TrackerParts::probation},
+    {"a second belief without gyroscope", &TrackerParts::understudy},
 };
 
 /// The tracker without each of its parts.

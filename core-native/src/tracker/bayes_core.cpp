@@ -77,6 +77,7 @@ bool BayesLocator::Core::on_firing(const Firing& firing) {
   choose_model(record);
   pursue_search();
   if (!main_.empty()) thin_out(main_);
+  if (understudy_.present()) thin_out(understudy_.population());
   for (Rival& rival : rivals_) {
     if (rival.present()) thin_out(rival.population());
   }
@@ -137,6 +138,7 @@ void BayesLocator::Core::track(Record& record, const HintIntegrator::GaitEvidenc
   if (tracked && record.range > kBeyondArms) mapped_share_ += kShareGain * (verdict.mapped - mapped_share_);
   record.log_main = record.novelty * verdict.log_plan;
   if (record.trust > 0.5) fit_.observe(verdict.log_plan, record.echo, record.range);
+  follow_understudy(record, gait, remembering);
   judge_rivals(record, gait, shot);
 }
 
@@ -222,11 +224,11 @@ void BayesLocator::Core::remember(const Record& record) {
   memory_.note(estimate_.room, estimate_.pose.position + reach * axis, unmapped_, estimate_.time_s);
 }
 
-// The belief keeps every place that is possible; a rival stands for one.
+// The belief and its understudy keep every place that is possible; a rival stands for one.
 void BayesLocator::Core::thin_out(Population& population) {
   const double need = std::clamp(std::max(pace_ / kUnhurried, estimate_.sigma_m / kNarrow), 1.0, kMostNeeded);
-  const auto settled =
-      static_cast<std::size_t>(gyro_ ? need * options_.particles : options_.particles_without_gyroscope);
+  const int blind = options_.particles_without_gyroscope / (options_.parts.understudy ? 2 : 1);
+  const auto settled = static_cast<std::size_t>(gyro_ ? need * options_.particles : blind);
   const std::size_t size = population.main_size();
   const bool shrink = size > settled + settled / 4;
   const bool worn = population.least_effective_share() <= 0.5;
@@ -238,6 +240,9 @@ void BayesLocator::Core::thin_out(Population& population) {
   if (!worn && target >= size) return;
   if (options_.parts.modes && &population == &main_) {
     modes_.resample(population, summary_, building_, target, !gyro_, random_);
+  } else if (options_.parts.modes && &population == &understudy_.population()) {
+    const Summary summary = summarize(population.particles(), building_, SummaryParameters{});
+    modes_.resample(population, summary, building_, target, !gyro_, random_);
   } else {
     population.resample(target, random_);
   }

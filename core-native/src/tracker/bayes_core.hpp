@@ -22,12 +22,13 @@
 #include "tracker/sensor_health.hpp"
 #include "tracker/stillness.hpp"
 #include "tracker/summary.hpp"
+#include "tracker/understudy.hpp"
 
 namespace echoway {
 
 /// The tracker's parts and how they play together. Starting is in bayes_start.cpp, a firing's way in bayes_core.cpp,
-/// what is learnt of the wearer's movement in bayes_motion.cpp, how far the belt hears in bayes_hearing.cpp, searching
-/// and recovering in bayes_recovery.cpp, doubting a place in bayes_doubt.cpp.
+/// what is learnt of the wearer's movement in bayes_motion.cpp, how far the belt hears in bayes_hearing.cpp, the second
+/// belief in bayes_understudy.cpp, searching and recovering in bayes_recovery.cpp, doubting a place in bayes_doubt.cpp.
 class BayesLocator::Core {
  public:
   Core(const Building& building, const BeltConfig& belt, const Start& start, const BayesOptions& options);
@@ -114,6 +115,10 @@ class BayesLocator::Core {
   void conclude_doubt();
   [[nodiscard]] std::optional<LevelTransition> link_to_take() const;
   [[nodiscard]] bool is_doubted(const tracker::Particle& p) const;
+  void follow_understudy(const tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait,
+                         const tracker::Shot& shot);
+  void dismiss_others() noexcept;
+  void forget_surroundings();
   void judge_rivals(const tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait,
                     const tracker::Shot& shot);
   [[nodiscard]] bool may_search() const;
@@ -143,6 +148,7 @@ class BayesLocator::Core {
   tracker::Population main_;
   tracker::Modes modes_;
   tracker::Rivals rivals_;
+  tracker::Understudy understudy_;
   tracker::Search search_;
   tracker::SensorHealth health_;
   tracker::History history_;

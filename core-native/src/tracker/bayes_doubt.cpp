@@ -33,7 +33,7 @@ void BayesLocator::Core::start_doubting() {
   if (hearing_test_ != HearingTest::done || away || now < kDoubtWindow) return;
   const std::uint64_t begin = now - kDoubtWindow;
   if (echoes_since(begin) < kFewestEchoes) return;
-  rivals_.dismiss_all();
+  dismiss_others();
   if (model_ == &wary_) model_ = &keen_;
   search_.start({.thorough = true}, begin, now);
   doubt_ = Doubt::running;
@@ -44,7 +44,7 @@ void BayesLocator::Core::land_all() {
   for (Particle& p : main_.particles()) {
     if (p.gait == Gait::away) links_.land(p, last_time_, gyro_, random_);
   }
-  rivals_.dismiss_all();
+  dismiss_others();
   search_.stop();
   doubt_ = Doubt::none;
   unconfirmed_ = kConfirmed;
@@ -71,7 +71,7 @@ void BayesLocator::Core::conclude_doubt() {
     if (p.weight > 0.0) main_.push(p);
   }
   main_.normalize();
-  rivals_.dismiss_all();
+  dismiss_others();
   if (1.0 - here < 0.5 * kept) return;  // nothing else will do
   unconfirmed_ = kConfirmed;
   fruitless_ = 0;

@@ -237,9 +237,20 @@ void BayesLocator::Core::believe(Rival& rival) {
   } else {
     fruitless_ = 0;
   }
+  understudy_.dismiss();
+  forget_surroundings();
+  fit_.reset();
+}
+
+// What was remembered of them stood about another place.
+void BayesLocator::Core::forget_surroundings() {
   memory_.clear();
   mapped_share_ = kUsuallyMapped;
-  fit_.reset();
+}
+
+void BayesLocator::Core::dismiss_others() noexcept {
+  rivals_.dismiss_all();
+  understudy_.dismiss();
 }
 
 }  // namespace echoway

@@ -20,6 +20,7 @@ constexpr std::size_t kAllRound = 1800;           // and of one whose heading is
 constexpr std::size_t kCapacity = 2400;
 constexpr std::size_t kMostRivals = 2;
 constexpr std::size_t kRivalCapacity = 600;
+constexpr std::size_t kUnderstudyCapacity = 1200;
 
 EchoModelParameters echo_parameters(const TrackerParts& parts) {
   EchoModelParameters p;
@@ -58,6 +59,7 @@ BayesLocator::Core::Core(const Building& building, const BeltConfig& belt, const
       main_(kCapacity),
       modes_(kCapacity, mode_parameters(options)),
       rivals_(kMostRivals, kRivalCapacity),
+      understudy_(kUnderstudyCapacity),
       search_(scene_, Search::Parameters{}),
       health_(belt.sensors),
       links_(building),

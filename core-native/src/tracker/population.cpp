@@ -46,6 +46,18 @@ void Population::swap(Population& other) noexcept {
   std::swap(mode_count_, other.mode_count_);
 }
 
+void Population::copy(const Population& other, Random& random) noexcept {
+  const bool fits = other.count_ <= particles_.size();
+  count_ = std::min(other.count_, particles_.size());
+  mode_count_ = fits ? other.mode_count_ : 0;
+  modes_ = other.modes_;
+  if (fits) {
+    std::ranges::copy(other.particles(), particles_.begin());
+  } else {
+    draw(other.particles(), particles(), random);
+  }
+}
+
 double Population::normalize() noexcept {
   double sum = 0.0;
   for (const Particle& p : particles()) sum += p.weight;
@@ -137,18 +149,23 @@ void Population::observe_gyro_bias(double bias, double sigma, Random& random) no
 void Population::resample(std::size_t target, Random& random) noexcept {
   if (count_ == 0) return;
   target = std::clamp<std::size_t>(target, 1, particles_.size());
-  const double step = 1.0 / static_cast<double>(target);
-  double at = random.uniform() * step;
-  double reached = particles_[0].weight;
-  std::size_t i = 0;
-  for (std::size_t n = 0; n < target; ++n, at += step) {
-    while (reached < at && i + 1 < count_) reached += particles_[++i].weight;
-    scratch_[n] = particles_[i];
-    scratch_[n].weight = step;
-  }
+  draw(particles(), {scratch_.data(), target}, random);
   particles_.swap(scratch_);
   count_ = target;
   mode_count_ = 0;
+}
+
+void Population::draw(std::span<const Particle> from, std::span<Particle> out, Random& random) noexcept {
+  const double step = 1.0 / static_cast<double>(out.size());
+  double at = random.uniform() * step;
+  double reached = from[0].weight;
+  std::size_t i = 0;
+  for (Particle& p : out) {
+    while (reached < at && i + 1 < from.size()) reached += from[++i].weight;
+    p = from[i];
+    p.weight = step;
+    at += step;
+  }
 }
 
 void Population::resample(std::span<const std::uint8_t> mode_of, std::span<const std::size_t> targets,

@@ -28,6 +28,8 @@ class Population {
   /// Ignored when full. REQUIRES: not resampled by modes since it was empty.
   void push(const Particle& particle) noexcept;
   void swap(Population& other) noexcept;
+  /// Becomes like `other`; resampled to what there is room for when that has more particles.
+  void copy(const Population& other, Random& random) noexcept;
 
   /// Makes the weights add up to 1 (all equal when they have vanished) and returns what they added up to.
   double normalize() noexcept;
@@ -55,6 +57,9 @@ class Population {
   void temper_modes(double share) noexcept;
 
  private:
+  /// Systematic resampling of `from`, whose weights add up to 1, to as many particles as `out` takes.
+  static void draw(std::span<const Particle> from, std::span<Particle> out, Random& random) noexcept;
+
   struct Mode {
     std::size_t begin = 0, end = 0;
     double weight = 0.0;                  ///< When it was weighed last.

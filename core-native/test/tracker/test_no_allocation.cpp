@@ -55,7 +55,10 @@ void operator delete[](void* p, std::size_t) noexcept { count_and_free(p); }
 namespace echoway {
 namespace {
 
-TEST(BayesLocator, AllocatesNothingWhileItSearchesAndTracks) {
+class Allocations : public ::testing::TestWithParam<bool> {};   // With motion hints, and without.
+INSTANTIATE_TEST_SUITE_P(Hints, Allocations, ::testing::Bool());
+
+TEST_P(Allocations, AreNoneWhileTheTrackerSearchesAndTracks) {
   const Building building = test::small_office();
   sim::RandomWalkOptions options;
   options.duration_s = 20.0;
@@ -63,10 +66,11 @@ TEST(BayesLocator, AllocatesNothingWhileItSearchesAndTracks) {
   ASSERT_TRUE(walk.ok());
   BayesLocator locator(building, {}, {});
   const long before = allocations.load();
-  test::play(*walk, locator, [&](std::size_t i) {
+  const auto doubt_for_a_moment = [&](std::size_t i) {
     const double now = walk->scans.firings[i].time_s;
     if (now > 12.0 && now < 12.1) locator.on_doubt();
-  });
+  };
+  test::play(*walk, locator, doubt_for_a_moment, GetParam());
   EXPECT_EQ(allocations.load() - before, 0);
 }
 

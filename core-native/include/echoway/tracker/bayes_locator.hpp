@@ -19,12 +19,13 @@ struct TrackerParts {
   bool modes = true;             ///< Places that lie apart are followed for as long as they are possible.
   bool recovery = true;          ///< Other places are searched when the echoes fit badly.
   bool probation = true;         ///< What was found must prove itself before it is believed.
+  bool understudy = true;        ///< Without a gyroscope half of the particles are a second belief.
 };
 
 struct BayesOptions {
   std::uint64_t seed = 1;
-  /// Particles while the wearer's place is known, with and without a gyroscope. The tracker takes more by itself for
-  /// one who walks fast and while the place is uncertain.
+  /// Particles while the wearer's place is known, with and without a gyroscope, where half of them are a second belief.
+  /// The tracker takes more by itself for one who walks fast and while the place is uncertain.
   int particles = 80;
   int particles_without_gyroscope = 800;
   TrackerParts parts{};
