@@ -21,6 +21,7 @@ struct Job {
   sim::Profile profile;
   std::uint64_t seed;
   Building (*plan)() = plans::three_rooms;
+  bool hints = true;
 };
 
 /// Many places in it explain the echoes equally well.
@@ -32,6 +33,7 @@ constexpr std::array kJobs{
     Job{"hard-search-bayes", Method::bayes, false, sim::Profile::hard, 3},
     Job{"furnished-search-bayes", Method::bayes, false, sim::Profile::furnished, 4},
     Job{"hall-search-bayes", Method::bayes, false, sim::Profile::empty, 5, hall},
+    Job{"furnished-echoes-alone-bayes", Method::bayes, true, sim::Profile::furnished, 6, plans::three_rooms, false},
     Job{"empty-thesis", Method::thesis, true, sim::Profile::empty, 1},
     Job{"furnished-search-thesis", Method::thesis, false, sim::Profile::furnished, 2},
 };
@@ -55,9 +57,10 @@ Track run_one(const Job& job) {
   options.duration_s = 25.0;
   options.profile = job.profile;
   const sim::Walk walk = sim::random_walk(building, options, job.seed);
-  const Result<sim::Simulation> heard = sim::simulate(building, walk, job.seed);
+  Result<sim::Simulation> heard = sim::simulate(building, walk, job.seed);
   Track track{job.name, {}, {}};
   if (!heard || heard->truth.empty()) return track;
+  if (!job.hints) heard->motion.clear();
   SessionConfig config;
   config.method = job.method;
   config.seed = job.seed;
