@@ -227,7 +227,8 @@ void BayesLocator::Core::remember(const Record& record) {
 // The belief and its understudy keep every place that is possible; a rival stands for one.
 void BayesLocator::Core::thin_out(Population& population) {
   const double need = std::clamp(std::max(pace_ / kUnhurried, estimate_.sigma_m / kNarrow), 1.0, kMostNeeded);
-  const int blind = options_.particles_without_gyroscope / (options_.parts.understudy ? 2 : 1);
+  const int all = options_.particles_without_gyroscope;
+  const int blind = understudy_.present() ? (all + 1) / 2 : all;
   const auto settled = static_cast<std::size_t>(gyro_ ? need * options_.particles : blind);
   const std::size_t size = population.main_size();
   const bool shrink = size > settled + settled / 4;
