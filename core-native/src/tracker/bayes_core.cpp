@@ -123,7 +123,7 @@ Shot BayesLocator::Core::aim(const Record& record) const {
   return shot_of(record, belt_, bearings_[static_cast<std::size_t>(record.sensor)]);
 }
 
-// One firing for the belief and for its rivals, if there are any.
+// One firing for the belief, and for its understudy and its rivals if there are any.
 void BayesLocator::Core::track(Record& record, const HintIntegrator::GaitEvidence& gait) {
   Shot shot = aim(record);
   const bool tracked = record.echo && estimate_.state == TrackState::tracking;
@@ -224,7 +224,6 @@ void BayesLocator::Core::remember(const Record& record) {
   memory_.note(estimate_.room, estimate_.pose.position + reach * axis, unmapped_, estimate_.time_s);
 }
 
-// The belief and its understudy keep every place that is possible; a rival stands for one.
 void BayesLocator::Core::thin_out(Population& population) {
   const double need = std::clamp(std::max(pace_ / kUnhurried, estimate_.sigma_m / kNarrow), 1.0, kMostNeeded);
   const int all = options_.particles_without_gyroscope;
@@ -239,14 +238,16 @@ void BayesLocator::Core::thin_out(Population& population) {
   const ParticleNeed belief{settled, population.occupied_cells(), fit_.doubt(), away, silent};
   const std::size_t target = particles_needed(belief, population.capacity());
   if (!worn && target >= size) return;
-  if (options_.parts.modes && &population == &main_) {
-    modes_.resample(population, summary_, building_, target, !gyro_, random_);
-  } else if (options_.parts.modes && &population == &understudy_.population()) {
-    const Summary summary = summarize(population.particles(), building_, SummaryParameters{});
-    modes_.resample(population, summary, building_, target, !gyro_, random_);
-  } else {
-    population.resample(target, random_);
-  }
+  resample(population, target);
+}
+
+// The belief and its understudy keep every place that is possible; a rival stands for one.
+void BayesLocator::Core::resample(Population& population, std::size_t target) {
+  const bool belief = &population == &main_;
+  const bool understudy = &population == &understudy_.population();
+  if (!options_.parts.modes || !(belief || understudy)) return population.resample(target, random_);
+  const Summary places = belief ? summary_ : summarize(population.particles(), building_, SummaryParameters{});
+  modes_.resample(population, places, building_, target, !gyro_, random_);
 }
 
 int BayesLocator::Core::echoes_since(std::uint64_t firing) const {

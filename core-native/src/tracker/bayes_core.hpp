@@ -74,6 +74,7 @@ class BayesLocator::Core {
   [[nodiscard]] double density_away(tracker::Particle& p, const tracker::Shot& shot, double anywhere);
   void track(tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait);
   void thin_out(tracker::Population& population);
+  void resample(tracker::Population& population, std::size_t target);
   [[nodiscard]] int echoes_since(std::uint64_t firing) const;
   [[nodiscard]] std::span<const tracker::Spot> recall(const tracker::Shot& shot);
   void remember(const tracker::Record& record);

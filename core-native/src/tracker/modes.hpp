@@ -27,7 +27,7 @@ class Modes {
   Modes(std::size_t capacity, const Parameters& parameters) : parameters_(parameters), of_(capacity) {}
 
   /// Resamples `population` to `target` particles and as many more as unlikely places need. No allocation.
-  /// REQUIRES: normalized. `summary` is of it, a firing ago; of another belief, all particles lie elsewhere.
+  /// REQUIRES: normalized. `summary` is of it, now or a firing ago; of another belief, all particles lie elsewhere.
   void resample(Population& population, const Summary& summary, const Building& building, std::size_t target,
                 bool blind, Random& random) noexcept;
 
