@@ -2,6 +2,7 @@
 // degree of doubt, every room.
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 
 #include "echoway/guidance/guide.hpp"
@@ -66,7 +67,8 @@ void estimate(Guide& guide, Reader& in, Wanderer& wearer, double time) {
 }
 
 void call(Guide& guide, Reader& in, Wanderer& wearer, Clock& clock) {
-  const std::uint8_t what = in.byte() % 16;
+  const std::uint8_t choice = in.byte();
+  const std::uint8_t what = choice % 16;
   double time = clock.next(in);
   if (!std::isfinite(time)) time = 0.0;  // The session lets none of these through.
   switch (what) {
@@ -75,7 +77,7 @@ void call(Guide& guide, Reader& in, Wanderer& wearer, Clock& clock) {
     case 2: guide.on_firing({time, in.byte() % 15, static_cast<double>(in.byte()) / 24.0}); break;
     case 3: guide.on_firing({time, static_cast<int>(in.byte()) - 8, 0.02 * in.word()}); break;
     case 4: guide.on_belt_health(any_health(in), time); break;
-    case 5: guide.on_start({0, Vec2{1.0, 1.0}, 0.0}); break;
+    case 5: guide.on_start({0, Vec2{1.0, 1.0}, choice < 128 ? std::optional(0.0) : std::nullopt}); break;
     case 6:
     case 7: static_cast<void>(ask(guide, in)); break;
     default: estimate(guide, in, wearer, time);
