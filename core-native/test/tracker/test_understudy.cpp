@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "echoway/sim/random_walk.hpp"
 #include "echoway/tracker/bayes_locator.hpp"
@@ -64,6 +68,30 @@ TEST(Understudy, OfABeliefWithMoreParticlesThanItHasRoomForStandsForAllOfIt) {
   EXPECT_NEAR(mean_of(understudy.population().particles()), mean_of(belief.particles()), 5.0);
 }
 
+// The same in two places, of which the farther one has three quarters of the particles.
+Population two_places_of(std::size_t particles, Random& random) {
+  Population belief = row_of(particles);
+  std::vector<std::uint8_t> place(particles, 1);
+  std::fill_n(place.begin(), particles / 4, std::uint8_t{0});
+  belief.resample(place, std::array{particles / 4, particles - particles / 4}, random);
+  return belief;
+}
+
+TEST(Understudy, KeepsThePlacesOfTheBeliefApart) {
+  Understudy understudy(40);
+  Random random(1);
+  understudy.learn(two_places_of(40, random), random);
+  EXPECT_EQ(understudy.population().main_size(), 30u);
+}
+
+TEST(Understudy, OfABeliefThatItHasNoRoomForKeepsNoPlacesApart) {
+  Understudy understudy(40);
+  Random random(1);
+  understudy.learn(two_places_of(40, random), random);
+  understudy.learn(two_places_of(400, random), random);
+  EXPECT_EQ(understudy.population().main_size(), 40u);
+}
+
 TEST(Understudy, ThatExplainsTheEchoesBetterIsBelievedWithinASecond) {
   EXPECT_GT(firings_until(Understudy::Verdict::ahead, 1.0), 3);
   EXPECT_LE(firings_until(Understudy::Verdict::ahead, 1.0), 16);
@@ -95,6 +123,24 @@ TEST(Understudy, IsBelievedForWhatItHasExplainedOfLate) {
   EXPECT_EQ(firings, firings_until(Understudy::Verdict::ahead, 1.0));
 }
 
+TEST(Understudy, ThatBeginsAnewIsJudgedAnew) {
+  Random random(1);
+  Understudy understudy(4);
+  for (int n = 1; n < firings_until(Understudy::Verdict::ahead, 1.0); ++n) {
+    ASSERT_EQ(understudy.judge(-2.0, -1.0), Understudy::Verdict::alike);
+  }
+  understudy.learn(row_of(4), random);
+  EXPECT_EQ(understudy.judge(-2.0, -1.0), Understudy::Verdict::alike);
+}
+
+TEST(Understudy, IsJudgedAnewAfterAVerdict) {
+  Understudy understudy(4);
+  for (int n = 1; n <= firings_until(Understudy::Verdict::ahead, 1.0); ++n) {
+    static_cast<void>(understudy.judge(-2.0, -1.0));
+  }
+  EXPECT_EQ(understudy.judge(-2.0, -1.0), Understudy::Verdict::alike);
+}
+
 // Ends of the way of an estimate through a walk, with an understudy and without.
 struct Ends {
   Estimate with, without;
@@ -123,6 +169,50 @@ TEST(Understudy, IsLeftOutWhereAGyroscopeTellsTheTurns) {
   const Ends blind = walk_twice(false);
   EXPECT_NE(blind.with.pose.position.x, blind.without.pose.position.x);
   EXPECT_NEAR(blind.with.pose.position.x, blind.without.pose.position.x, 1.0);
+}
+
+// Mean distance in metres from where the wearer is, over a walk without motion hints.
+double error_of(Locator& locator, const Building& building, const sim::Simulation& walk) {
+  double sum = 0.0;
+  const auto add = [&](std::size_t i) {
+    const TruthRow& truth = walk.truth[i];
+    const Estimate& e = locator.estimate();
+    const Vec2 here = building.room(building.find_room(truth.room)).frame.transform(truth.pose.position);
+    sum += distance(building.room(e.room).frame.transform(e.pose.position), here);
+  };
+  test::play(walk, locator, add, false);
+  return sum / static_cast<double>(walk.scans.firings.size());
+}
+
+// How often the wearer of one of a few walks is lost for a while by the luck of the draw: few particles miss a turn
+// often, and nobody is searched for.
+int times_lost(bool understudy) {
+  constexpr double kLost = 0.4;   // Metres, in the mean of a walk.
+  constexpr std::uint64_t kDraws = 10;
+  const Building building = test::small_office();
+  BayesOptions bayes;
+  bayes.particles_without_gyroscope = 40;
+  bayes.parts.understudy = understudy;
+  bayes.parts.recovery = false;
+  sim::RandomWalkOptions options;
+  options.duration_s = 20.0;
+  int lost = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const auto walk = *sim::simulate(building, sim::random_walk(building, options, seed));
+    for (bayes.seed = 1; bayes.seed <= kDraws; ++bayes.seed) {
+      BayesLocator locator(building, {}, test::start_of(walk, building), bayes);
+      lost += error_of(locator, building, walk) > kLost;
+    }
+  }
+  return lost;
+}
+
+TEST(Understudy, HelpsWhoMissedATurnWithoutAGyroscope) {
+  const int alone = times_lost(false);
+  const int helped = times_lost(true);
+  RecordProperty("alone", alone);
+  RecordProperty("helped", helped);
+  EXPECT_LT(3 * helped, alone);
 }
 
 }  // namespace
