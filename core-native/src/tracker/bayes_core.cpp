@@ -243,11 +243,16 @@ void BayesLocator::Core::thin_out(Population& population) {
 
 // The belief and its understudy keep every place that is possible; a rival stands for one.
 void BayesLocator::Core::resample(Population& population, std::size_t target) {
-  const bool belief = &population == &main_;
-  const bool understudy = &population == &understudy_.population();
-  if (!options_.parts.modes || !(belief || understudy)) return population.resample(target, random_);
-  const Summary places = belief ? summary_ : summarize(population.particles(), building_, SummaryParameters{});
-  modes_.resample(population, places, building_, target, !gyro_, random_);
+  const auto by_places = [&](const Summary& places) {
+    modes_.resample(population, places, building_, target, !gyro_, random_);
+  };
+  if (options_.parts.modes && &population == &main_) {
+    by_places(summary_);
+  } else if (options_.parts.modes && &population == &understudy_.population()) {
+    by_places(summarize(population.particles(), building_, SummaryParameters{}));
+  } else {
+    population.resample(target, random_);
+  }
 }
 
 int BayesLocator::Core::echoes_since(std::uint64_t firing) const {
