@@ -10,6 +10,7 @@
 #include "echoway/sim/random_walk.hpp"
 #include "echoway/sim/simulate.hpp"
 #include "echoway/units.hpp"
+#include "plans/error_of.hpp"
 #include "tracker/plans.hpp"
 #include "tracker/play.hpp"
 
@@ -40,11 +41,8 @@ Score follow(Locator& locator, const Building& building, const sim::Simulation& 
     EXPECT_TRUE(is_finite(e.pose) && std::isfinite(e.sigma_m));
     score.track.push_back(e.pose);
     if (i < from) return;
-    const RoomIndex room = building.find_room(s.truth[i].room);
-    const Vec2 got = building.room(e.room).frame.transform(e.pose.position);
-    const Vec2 want = building.room(room).frame.transform(s.truth[i].pose.position);
-    score.mean_m += distance(got, want);
-    score.room_share += e.room == room;
+    score.mean_m += plans::error_of(e, s.truth[i], building);
+    score.room_share += e.room == building.find_room(s.truth[i].room);
     ++counted;
   };
   test::play(s, locator, judge, hints);

@@ -10,6 +10,7 @@
 
 #include "echoway/sim/random_walk.hpp"
 #include "echoway/tracker/bayes_locator.hpp"
+#include "plans/error_of.hpp"
 #include "tracker/plans.hpp"
 #include "tracker/play.hpp"
 
@@ -172,14 +173,9 @@ TEST(Understudy, IsLeftOutWhereAGyroscopeTellsTheTurns) {
 }
 
 // Mean distance in metres from where the wearer is, over a walk without motion hints.
-double error_of(Locator& locator, const Building& building, const sim::Simulation& walk) {
+double mean_error_of(Locator& locator, const Building& building, const sim::Simulation& walk) {
   double sum = 0.0;
-  const auto add = [&](std::size_t i) {
-    const TruthRow& truth = walk.truth[i];
-    const Estimate& e = locator.estimate();
-    const Vec2 here = building.room(building.find_room(truth.room)).frame.transform(truth.pose.position);
-    sum += distance(building.room(e.room).frame.transform(e.pose.position), here);
-  };
+  const auto add = [&](std::size_t i) { sum += plans::error_of(locator.estimate(), walk.truth[i], building); };
   test::play(walk, locator, add, false);
   return sum / static_cast<double>(walk.scans.firings.size());
 }
@@ -201,7 +197,7 @@ int times_lost(bool understudy) {
     const auto walk = *sim::simulate(building, sim::random_walk(building, options, seed));
     for (bayes.seed = 1; bayes.seed <= kDraws; ++bayes.seed) {
       BayesLocator locator(building, {}, test::start_of(walk, building), bayes);
-      lost += error_of(locator, building, walk) > kLost;
+      lost += mean_error_of(locator, building, walk) > kLost;
     }
   }
   return lost;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <string>
 #include <string_view>
@@ -12,6 +11,7 @@
 #include "echoway/guidance/cue.hpp"
 #include "echoway/session.hpp"
 #include "echoway/speech/speaker.hpp"
+#include "plans/error_of.hpp"
 #include "plans/plans.hpp"
 #include "plans/session_promises.hpp"
 
@@ -60,13 +60,6 @@ class Ear {
   std::set<int> blocked_;
   bool lost_ = false;
 };
-
-double error_of(const Estimate& estimate, const TruthRow& truth, const Building& building) {
-  const RoomIndex room = building.find_room(truth.room);
-  if (estimate.room == kNoRoom || room == kNoRoom) return std::numeric_limits<double>::infinity();
-  const Vec2 told = building.room(estimate.room).frame.transform(estimate.pose.position);
-  return distance(told, building.room(room).frame.transform(truth.pose.position));
-}
 
 void take(Session& session, const Event& event, Report& result) {
   switch (event.kind) {
@@ -162,7 +155,7 @@ Report run(const Fault& fault) {
   result.sent = static_cast<int>(sent.size());
   result.invented = fault.corrupts ? invented(events, sent) : 0;
   play(**opened, events, sent.back().time_s, result);
-  result.error_m = error_of((*opened)->estimate(), walk().truth.back(), (*opened)->building());
+  result.error_m = plans::error_of((*opened)->estimate(), walk().truth.back(), (*opened)->building());
   return result;
 }
 

@@ -1,23 +1,12 @@
 #include "stiff/wearer.hpp"
 
-#include <cmath>
 #include <utility>
 
+#include "plans/error_of.hpp"
 #include "plans/plans.hpp"
 #include "plans/session_promises.hpp"
 
 namespace echoway::stiff {
-namespace {
-
-double error_of(const Estimate& estimate, const TruthRow& truth, const Building& building) {
-  const RoomIndex room = building.find_room(truth.room);
-  if (estimate.room == kNoRoom || room == kNoRoom) return INFINITY;
-  const Vec2 told = building.room(estimate.room).frame.transform(estimate.pose.position);
-  return distance(told, building.room(room).frame.transform(truth.pose.position));
-}
-
-}  // namespace
-
 Wearer wearer(double duration_s, const BeltConfig& belt) {
   Wearer w;
   w.building = plans::three_rooms();
@@ -64,7 +53,7 @@ Followed follow(const Wearer& wearer, const ChangeFiring& change_firing, const C
     if (result.broken.empty()) result.broken = plans::broken_promise(session);
     result.estimates += renewed;
     result.last = session.estimate();
-    result.error_m = error_of(result.last, wearer.walk.truth[i], wearer.building);
+    result.error_m = plans::error_of(result.last, wearer.walk.truth[i], wearer.building);
     const bool certain = result.last.state == TrackState::tracking;
     result.false_certainties += certain && result.error_m > 1.0 && result.error_m > 5.0 * result.last.sigma_m;
   }
