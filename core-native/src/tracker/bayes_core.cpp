@@ -197,15 +197,12 @@ double BayesLocator::Core::mapped_share_of(const Particle& p, Shot shot) {
   return weigh(p, shot, *model_, scene_).mapped;
 }
 
-// On stairs the walls of the stairwell still stand beside the wearer, as far as anybody can tell; in an
-// elevator nothing in the plan does.
+// On stairs the walls of the stairwell still stand beside the wearer, as far as anybody can tell, though they do not
+// say where; in an elevator nothing in the plan does.
 double BayesLocator::Core::density_away(Particle& p, const Shot& shot, double anywhere) {
   if (shot.trust <= 0.0) return anywhere;
   if (!links_.on_stairs(p)) return in_cabin(shot);
-  Particle beside = p;
-  const double density = assimilate(beside, shot, *model_, scene_, random_).density;
-  p.strangers = beside.strangers;
-  return kStairwellShare * std::max(anywhere, density);
+  return kStairwellShare * std::max(anywhere, overhear(p, shot, *model_, scene_).density);
 }
 
 std::span<const Spot> BayesLocator::Core::recall(const Shot& shot) {

@@ -126,6 +126,12 @@ Outcome weigh(const Particle& p, const Shot& shot, const EchoModel& model, scene
   return hear(p, shot, model, scene).outcome;
 }
 
+Outcome overhear(Particle& p, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept {
+  const Outcome outcome = weigh(p, shot, model, scene);
+  note_stranger(p, shot, outcome);
+  return outcome;
+}
+
 Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept {
   const Hearing heard = hear(p, shot, model, scene);
   merge(p, heard.associations());

@@ -1,0 +1,56 @@
+#include "tracker/likelihood.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tracker/plans.hpp"
+
+namespace echoway::tracker {
+namespace {
+
+// Who stands 2 m before the wall at x = 0 of a hall and faces it with sensor 0.
+class LikelihoodTest : public ::testing::Test {
+ protected:
+  LikelihoodTest() : hall_(test::plain_hall()), model_(belt_, {}), scene_(hall_, model_.sight_limits()) {
+    before_wall_.room = 0;
+    before_wall_.position = {2.0, 1.5};
+    before_wall_.heading = kPi;
+    before_wall_.facing = {-1.0, 0.0};
+    before_wall_.cov.xx = before_wall_.cov.yy = 0.04;
+    before_wall_.cov.kk = 1e-6;
+  }
+
+  Shot heard_at(double metres) const {
+    Record record;
+    record.echo = true;
+    record.range = metres;
+    return shot_of(record, belt_, {1.0, 0.0});
+  }
+
+  BeltConfig belt_;
+  Building hall_;
+  EchoModel model_;
+  scene::Scene scene_;
+  Particle before_wall_;
+};
+
+TEST_F(LikelihoodTest, AnEchoOfAWallNearerThanThoughtMovesWhoListensTowardsIt) {
+  Particle listens = before_wall_;
+  assimilate(listens, heard_at(1.7), model_, scene_);
+  EXPECT_LT(listens.position.x, before_wall_.position.x - 0.05);
+  EXPECT_LT(listens.cov.xx, before_wall_.cov.xx);
+}
+
+TEST_F(LikelihoodTest, WhoOverhearsItStaysAndKnowsWhatAnswered) {
+  Particle overhears = before_wall_;
+  const Outcome wall = overhear(overhears, heard_at(1.8), model_, scene_);
+  EXPECT_EQ(overhears.position, before_wall_.position);
+  EXPECT_EQ(overhears.cov.xx, before_wall_.cov.xx);
+  EXPECT_LT(overhears.strangers[0], 60);
+  const Outcome nothing = overhear(overhears, heard_at(0.9), model_, scene_);
+  EXPECT_GT(overhears.strangers[0], 200);
+  EXPECT_GT(wall.density, nothing.density);
+  EXPECT_EQ(wall.density, weigh(before_wall_, heard_at(1.8), model_, scene_).density);
+}
+
+}  // namespace
+}  // namespace echoway::tracker
