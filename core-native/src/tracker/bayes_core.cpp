@@ -53,11 +53,12 @@ void BayesLocator::Core::on_temperature(double celsius) {
     log_scale_sigma_ = kTemperatureSigma;
     return;
   }
-  for (Particle& p : main_.particles()) {
-    if (p.cov.kk > kTemperatureSigma * kTemperatureSigma) {
-      observe_log_scale(p, log_scale, kTemperatureSigma * kTemperatureSigma);
+  constexpr double kVariance = kTemperatureSigma * kTemperatureSigma;
+  for_all_beliefs([&](Population& belief) {
+    for (Particle& p : belief.particles()) {
+      if (p.cov.kk > kVariance) observe_log_scale(p, log_scale, kVariance);
     }
-  }
+  });
 }
 
 bool BayesLocator::Core::on_firing(const Firing& firing) {
@@ -76,11 +77,7 @@ bool BayesLocator::Core::on_firing(const Firing& firing) {
   if (!main_.empty()) track(record, gait);
   choose_model(record);
   pursue_search();
-  if (!main_.empty()) thin_out(main_);
-  if (understudy_.present()) thin_out(understudy_.population());
-  for (Rival& rival : rivals_) {
-    if (rival.present()) thin_out(rival.population());
-  }
+  for_all_beliefs([&](Population& belief) { thin_out(belief); });
   conclude(firing.time_s);
   remember(record);
   if (record.echo) repeats_.note(belt_, record.sensor, record.range, last_time_);
@@ -112,6 +109,7 @@ Record BayesLocator::Core::take_down(const Firing& firing, double seconds) {
   record.trust = health_.trust(firing.sensor, record.echo);
   if (!options_.parts.silence && !record.echo) record.trust = 0.0;
   gyro_ = record.interval.turn_known;
+  blind_for_ = gyro_ ? 0 : blind_for_ + 1;
   follow_movement(record.interval);
   reckon_on(record.interval);
   const double novelty = novelty_.of(firing.sensor);

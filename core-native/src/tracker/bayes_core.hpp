@@ -73,6 +73,15 @@ class BayesLocator::Core {
   [[nodiscard]] double mapped_share_of(const tracker::Particle& p, tracker::Shot shot);
   [[nodiscard]] double density_away(tracker::Particle& p, const tracker::Shot& shot, double anywhere);
   void track(tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait);
+  /// The belief, its understudy and its rivals, as far as there are any.
+  template <typename Action>
+  void for_all_beliefs(const Action& action) {
+    if (!main_.empty()) action(main_);
+    if (understudy_.present()) action(understudy_.population());
+    for (tracker::Rival& rival : rivals_) {
+      if (rival.present()) action(rival.population());
+    }
+  }
   void thin_out(tracker::Population& population);
   void resample(tracker::Population& population, std::size_t target);
   [[nodiscard]] int echoes_since(std::uint64_t firing) const;
@@ -116,8 +125,10 @@ class BayesLocator::Core {
   void conclude_doubt();
   [[nodiscard]] std::optional<LevelTransition> link_to_take() const;
   [[nodiscard]] bool is_doubted(const tracker::Particle& p) const;
-  void follow_understudy(const tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait,
+  void follow_understudy(tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait,
                          const tracker::Shot& shot);
+  void begin_understudy();
+  void believe_understudy();
   void dismiss_others() noexcept;
   void forget_surroundings();
   void judge_rivals(const tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait,
@@ -175,6 +186,7 @@ class BayesLocator::Core {
   int backwards_ = 0;
   int near_in_a_row_ = 0;           ///< Firings in a row that heard something within arm's reach.
   bool gyro_ = false;
+  int blind_for_ = 0;               ///< Firings in a row before which no gyroscope told how far the wearer turned.
   double pace_ = 0.55;              ///< Usual walking speed, learnt.
   double step_length_ = 0.65;       ///< Metres of a usual step, learnt.
   double step_firings_ = 0.0;       ///< Firings that it was learnt from, kMostFirings at most.

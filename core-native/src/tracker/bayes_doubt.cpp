@@ -33,7 +33,7 @@ void BayesLocator::Core::start_doubting() {
   if (hearing_test_ != HearingTest::done || away || now < kDoubtWindow) return;
   const std::uint64_t begin = now - kDoubtWindow;
   if (echoes_since(begin) < kFewestEchoes) return;
-  dismiss_others();
+  rivals_.dismiss_all();
   if (model_ == &wary_) model_ = &keen_;
   search_.start({.thorough = true}, begin, now);
   doubt_ = Doubt::running;

@@ -67,6 +67,7 @@ void BayesLocator::Core::conclude_hearing_test() {
     return;
   }
   model_ = other_model_;
+  understudy_.dismiss();
   search_.take(main_, tools(), random_);
   fit_.reset();
 }

@@ -71,8 +71,7 @@ void BayesLocator::Core::reckon_from_here() {
 
 // Whoever stands does not turn: what the gyroscope reads meanwhile is its bias.
 void BayesLocator::Core::stand_still(double rate) {
-  main_.observe_gyro_bias(rate, StillRate::kSigma, random_);
-  for (Rival& rival : rivals_) rival.population().observe_gyro_bias(rate, StillRate::kSigma, random_);
+  for_all_beliefs([&](Population& belief) { belief.observe_gyro_bias(rate, StillRate::kSigma, random_); });
 }
 
 }  // namespace echoway

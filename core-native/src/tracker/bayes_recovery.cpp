@@ -229,7 +229,7 @@ void BayesLocator::Core::judge_rivals(const Record& record, const HintIntegrator
 // Who was lost and is found anew may be lost again: what replaces a belief that fitted no longer must prove itself as
 // what the first search found; until it has, everywhere is searched.
 void BayesLocator::Core::believe(Rival& rival) {
-  main_.swap(rival.population());
+  main_.exchange(rival.population(), random_);
   rivals_.dismiss_others(rival);
   rival.begin(kLogReturn);   // The old belief may yet turn out to be right.
   if (fit_.poor()) {

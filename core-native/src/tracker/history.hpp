@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include "tracker/motion.hpp"
 
@@ -15,7 +17,8 @@ struct Record {
   double range = 0.0;
   double trust = 1.0;
   double novelty = 1.0;      ///< Share of the evidence that is new: a sensor that has not moved says the same again.
-  double log_main = 0.0;     ///< Log density that the tracked hypothesis gave it.
+  double log_main = 0.0;     ///< Log density that the tracked hypothesis gave it,
+  double log_second = 0.0;   ///< and the understudy, while there is one.
 };
 
 /// The last kSize firings, by a running number.
@@ -28,7 +31,13 @@ class History {
   [[nodiscard]] std::uint64_t begin() const noexcept { return next_ > kSize ? next_ - kSize : 0; }
   [[nodiscard]] const Record& operator[](std::uint64_t number) const noexcept { return records_[number % kSize]; }
   [[nodiscard]] Record& back() noexcept { return records_[(next_ - 1) % kSize]; }
-  void clear() noexcept { next_ = 0; }
+  /// The tracked hypothesis and the understudy change places: from firing `first` on each has made of the echoes what
+  /// the other one is said to have.
+  void exchange(std::uint64_t first) noexcept {
+    for (std::uint64_t n = std::max(first, begin()); n < next_; ++n) {
+      std::swap(records_[n % kSize].log_main, records_[n % kSize].log_second);
+    }
+  }
 
  private:
   std::array<Record, kSize> records_{};

@@ -37,12 +37,13 @@ void Population::push(const Particle& particle) noexcept {
   if (count_ < particles_.size()) particles_[count_++] = particle;
 }
 
-void Population::swap(Population& other) noexcept {
-  particles_.swap(other.particles_);
-  scratch_.swap(other.scratch_);
-  table_.swap(other.table_);
+void Population::exchange(Population& other, Random& random) noexcept {
+  if (count_ > other.capacity()) resample(other.capacity(), random);
+  if (other.count_ > capacity()) other.resample(capacity(), random);
+  const auto most = static_cast<std::ptrdiff_t>(std::max(count_, other.count_));
+  std::swap_ranges(particles_.begin(), particles_.begin() + most, other.particles_.begin());
   std::swap(count_, other.count_);
-  modes_.swap(other.modes_);
+  std::swap(modes_, other.modes_);
   std::swap(mode_count_, other.mode_count_);
 }
 

@@ -27,7 +27,8 @@ class Population {
   void clear() noexcept { count_ = mode_count_ = 0; }
   /// Ignored when full. REQUIRES: not resampled by modes since it was empty.
   void push(const Particle& particle) noexcept;
-  void swap(Population& other) noexcept;
+  /// Each becomes what the other was, in its own memory; who has not room for all of it gets as many drawn from it.
+  void exchange(Population& other, Random& random) noexcept;
   /// Becomes like `other`; resampled to what there is room for when that has more particles.
   void copy(const Population& other, Random& random) noexcept;
 

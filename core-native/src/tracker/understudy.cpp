@@ -11,8 +11,10 @@ constexpr double kLogMost = 3.0;       // Of one firing: no single echo decides.
 
 }  // namespace
 
-void Understudy::learn(const Population& belief, Random& random) noexcept {
+void Understudy::learn(const Population& belief, const FitMonitor& fit, std::uint64_t next, Random& random) noexcept {
   population_.copy(belief, random);
+  fit_ = fit;
+  since_ = next;
   gained_ = lost_ = 0.0;
 }
 

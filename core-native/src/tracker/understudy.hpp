@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "echoway/random.hpp"
+#include "tracker/fit_monitor.hpp"
 #include "tracker/population.hpp"
 
 namespace echoway::tracker {
@@ -18,8 +19,10 @@ class Understudy {
   [[nodiscard]] bool present() const noexcept { return !population_.empty(); }
   void dismiss() noexcept { population_.clear(); }
 
-  /// Begins anew where `belief` is.
-  void learn(const Population& belief, Random& random) noexcept;
+  /// Begins anew where `belief` is, which fits so well; firing `next` is the first that it follows by itself.
+  void learn(const Population& belief, const FitMonitor& fit, std::uint64_t next, Random& random) noexcept;
+  [[nodiscard]] std::uint64_t since() const noexcept { return since_; }
+  [[nodiscard]] FitMonitor& fit() noexcept { return fit_; }
 
   enum class Verdict : std::uint8_t {
     alike,
@@ -31,6 +34,8 @@ class Understudy {
 
  private:
   Population population_;
+  FitMonitor fit_;
+  std::uint64_t since_ = 0;
   double gained_ = 0.0;   ///< Log odds since it was last behind,
   double lost_ = 0.0;     ///< and since it was last ahead.
 };
