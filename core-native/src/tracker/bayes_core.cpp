@@ -17,7 +17,7 @@ namespace {
 constexpr double kStairwellShare = 0.80;          // Or neither: it is not known what answers there.
 constexpr double kShareBetween = 0.15;            // Of the evidence between places that lie apart: what is in no plan
                                                   // speaks for one of two alike as long as it is heard. Without a
-constexpr double kShareBetweenBlind = 0.5;        // gyroscope every turn tried makes a place, and must be over soon.
+constexpr double kShareBetweenBlind = 0.85;       // gyroscope every turn tried makes a place, and must be over soon.
 constexpr double kShareBetweenLevels = 0.5;       // Who is away shall be found soon after they have arrived.
 constexpr double kUnhurried = 0.6;                // m/s; who walks faster goes farther between two looks of a sensor.
 constexpr double kNarrow = 0.15;                  // Metres: a place known so well takes the fewest particles,
