@@ -1,5 +1,3 @@
-#include <utility>
-
 #include "tracker/bayes_core.hpp"
 
 namespace echoway {
@@ -8,14 +6,17 @@ using namespace tracker;
 
 namespace {
 
-constexpr int kGap = 32;   // Firings without a gyroscope's readings, two seconds, that are no more than a gap in them.
+// Firings without a gyroscope's readings, two seconds, that are no more than a gap in them; and for as long after a
+// start all particles serve one belief.
+constexpr int kGap = 32;
 
 }  // namespace
 
 // With a gyroscope hardly any turn is missed, and a second belief would double what a firing costs. Nor does one help
-// while many places are in mind already.
+// while many places are in mind already; and while a place is doubted, no other may take its name.
 void BayesLocator::Core::follow_understudy(Record& record, const HintIntegrator::GaitEvidence& gait, const Shot& shot) {
-  if (blind_for_ <= kGap || !options_.parts.understudy) return understudy_.dismiss();
+  const bool needless = blind_for_ <= kGap || doubt_ == Doubt::running;
+  if (needless || !options_.parts.understudy) return understudy_.dismiss();
   if (!understudy_.present()) {
     if (estimate_.state == TrackState::tracking && !fit_.doubtful()) begin_understudy();
     return;
@@ -37,11 +38,8 @@ void BayesLocator::Core::follow_understudy(Record& record, const HintIntegrator:
 
 void BayesLocator::Core::begin_understudy() { understudy_.learn(main_, fit_, history_.end(), random_); }
 
-// What it has made of the echoes so far is then the belief's past, for a search to beat.
 void BayesLocator::Core::believe_understudy() {
-  main_.exchange(understudy_.population(), random_);
-  std::swap(fit_, understudy_.fit());
-  history_.exchange(understudy_.since());
+  understudy_.change_places(main_, fit_, history_, random_);
   forget_surroundings();
 }
 

@@ -18,7 +18,7 @@ struct Record {
   double trust = 1.0;
   double novelty = 1.0;      ///< Share of the evidence that is new: a sensor that has not moved says the same again.
   double log_main = 0.0;     ///< Log density that the tracked hypothesis gave it,
-  double log_second = 0.0;   ///< and the understudy, while there is one.
+  double log_second = 0.0;   ///< and the understudy; 0 without one.
 };
 
 /// The last kSize firings, by a running number.

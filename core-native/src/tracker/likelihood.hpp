@@ -76,7 +76,7 @@ struct Outcome {
 /// The same, and takes down in `strangers` how likely nothing in the plan answered, if the reading is an echo.
 Outcome overhear(Particle& particle, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept;
 
-/// The same, and the particle's Gaussian is updated with the reading: see merge().
+/// The same, and the particle's Gaussian is updated with the reading, if that is an echo: see merge().
 Outcome assimilate(Particle& particle, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept;
 /// For who is followed: see merge_or_choose(). Who is looked for may be at so many places, each of so few particles,
 /// that draws would lose them.

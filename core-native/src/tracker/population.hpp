@@ -27,9 +27,10 @@ class Population {
   void clear() noexcept { count_ = mode_count_ = 0; }
   /// Ignored when full. REQUIRES: not resampled by modes since it was empty.
   void push(const Particle& particle) noexcept;
-  /// Each becomes what the other was, in its own memory; who has not room for all of it gets as many drawn from it.
+  /// Each becomes what the other was, in its own memory; who has not room for all of it gets as many drawn from it, as
+  /// one place. REQUIRES: both normalized, or empty.
   void exchange(Population& other, Random& random) noexcept;
-  /// Becomes like `other`; resampled to what there is room for when that has more particles.
+  /// Becomes like `other`, which is normalized; resampled to what there is room for when that has more particles.
   void copy(const Population& other, Random& random) noexcept;
 
   /// Makes the weights add up to 1 (all equal when they have vanished) and returns what they added up to.

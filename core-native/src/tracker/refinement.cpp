@@ -20,7 +20,8 @@ constexpr std::uint64_t kRound = 5;               // Firings between looks at th
 constexpr std::size_t kParticlesPerCell = 14;
 constexpr std::size_t kFewest = 400;
 constexpr std::size_t kFewCells = 60;             // Of a dozen places at most, once every sensor was heard twice.
-constexpr double kShareBetween = 0.3;             // Of what counts, half by then, between places: as in the tracker.
+constexpr double kShareBetween = 0.3;             // Of what counts, half by then, between places: as in a tracker
+                                                  // with a gyroscope.
 constexpr double kSpread = degrees(1.0);          // Radians by which copies of a particle part.
 
 // A search starts from cells of places: a reading that is not new weighs less, but narrows them all the same.

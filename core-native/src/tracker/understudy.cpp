@@ -1,6 +1,7 @@
 #include "tracker/understudy.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace echoway::tracker {
 namespace {
@@ -16,6 +17,12 @@ void Understudy::learn(const Population& belief, const FitMonitor& fit, std::uin
   fit_ = fit;
   since_ = next;
   gained_ = lost_ = 0.0;
+}
+
+void Understudy::change_places(Population& belief, FitMonitor& fit, History& history, Random& random) noexcept {
+  belief.exchange(population_, random);
+  std::swap(fit, fit_);
+  history.exchange(since_);
 }
 
 Understudy::Verdict Understudy::judge(double log_belief, double log_own) noexcept {

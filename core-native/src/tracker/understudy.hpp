@@ -4,6 +4,7 @@
 
 #include "echoway/random.hpp"
 #include "tracker/fit_monitor.hpp"
+#include "tracker/history.hpp"
 #include "tracker/population.hpp"
 
 namespace echoway::tracker {
@@ -21,7 +22,10 @@ class Understudy {
 
   /// Begins anew where `belief` is, which fits so well; firing `next` is the first that it follows by itself.
   void learn(const Population& belief, const FitMonitor& fit, std::uint64_t next, Random& random) noexcept;
-  [[nodiscard]] std::uint64_t since() const noexcept { return since_; }
+  /// Changes places with `belief`, each with how well the echoes fit it and what it has made of those of `history`
+  /// since they parted: the past that a search has then to beat.
+  void change_places(Population& belief, FitMonitor& fit, History& history, Random& random) noexcept;
+  /// How well the echoes fit it.
   [[nodiscard]] FitMonitor& fit() noexcept { return fit_; }
 
   enum class Verdict : std::uint8_t {
@@ -35,9 +39,9 @@ class Understudy {
  private:
   Population population_;
   FitMonitor fit_;
-  std::uint64_t since_ = 0;
-  double gained_ = 0.0;   ///< Log odds since it was last behind,
-  double lost_ = 0.0;     ///< and since it was last ahead.
+  std::uint64_t since_ = 0;   ///< First firing that it has followed by itself.
+  double gained_ = 0.0;       ///< Log odds since it was last behind,
+  double lost_ = 0.0;         ///< and since it was last ahead.
 };
 
 }  // namespace echoway::tracker

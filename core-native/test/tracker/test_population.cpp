@@ -12,9 +12,8 @@ using test::row_of;
 
 TEST(Population, ExchangedForAnotherIsWhatThatWas) {
   Random random(1);
-  Population few = row_of(30), many = row_of(300);
-  const double of_few = mean_of(few.particles()), of_many = mean_of(many.particles());
   Population tracked = row_of(30, 400), other = row_of(300, 300);
+  const double of_few = mean_of(tracked.particles()), of_many = mean_of(other.particles());
   tracked.exchange(other, random);
   EXPECT_EQ(tracked.size(), 300u);
   EXPECT_EQ(other.size(), 30u);

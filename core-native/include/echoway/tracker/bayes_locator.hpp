@@ -19,7 +19,7 @@ struct TrackerParts {
   bool modes = true;             ///< Places that lie apart are followed for as long as they are possible.
   bool recovery = true;          ///< Other places are searched when the echoes fit badly.
   bool probation = true;         ///< What was found must prove itself before it is believed.
-  bool understudy = true;        ///< Without a gyroscope half of the particles are a second belief.
+  bool understudy = true;        ///< Without a gyroscope half of the particles that track a place are a second belief.
 };
 
 struct BayesOptions {
