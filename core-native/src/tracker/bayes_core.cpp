@@ -135,9 +135,13 @@ void BayesLocator::Core::track(Record& record, const HintIntegrator::GaitEvidenc
   unmapped_ = tracked ? 1.0 - verdict.mapped : 0.0;
   if (tracked && record.range > kBeyondArms) mapped_share_ += kShareGain * (verdict.mapped - mapped_share_);
   record.log_main = record.novelty * verdict.log_plan;
-  if (record.trust > 0.5) fit_.observe(verdict.log_plan, record.echo, record.range);
+  show(fit_, verdict, record);
   follow_understudy(record, gait, remembering);
   judge_rivals(record, gait, shot);
+}
+
+void BayesLocator::Core::show(FitMonitor& fit, const Verdict& verdict, const Record& record) noexcept {
+  if (record.trust > 0.5) fit.observe(verdict.log_plan, record.echo, record.range);
 }
 
 // Predicts, weighs and corrects every particle.

@@ -23,7 +23,7 @@ void BayesLocator::Core::follow_understudy(Record& record, const HintIntegrator:
   }
   const Verdict verdict = update(understudy_.population(), record, gait, shot);
   record.log_second = record.novelty * verdict.log_plan;
-  if (record.trust > 0.5) understudy_.fit().observe(verdict.log_plan, record.echo, record.range);
+  show(understudy_.fit(), verdict, record);
   switch (understudy_.judge(record.log_main, record.log_second)) {
     case Understudy::Verdict::alike:
       break;
