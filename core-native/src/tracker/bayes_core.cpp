@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tracker/association.hpp"
+#include "tracker/between_levels.hpp"
 #include "tracker/elementary.hpp"
 #include "tracker/floor.hpp"
 #include "tracker/particle_need.hpp"
@@ -14,7 +15,6 @@ using namespace tracker;
 
 namespace {
 
-constexpr double kStairwellShare = 0.80;          // Or neither: it is not known what answers there.
 constexpr double kShareBetween = 0.15;            // Of the evidence between places that lie apart: what is in no plan
                                                   // speaks for one of two alike as long as it is heard. Without a
 constexpr double kShareBetweenBlind = 0.85;       // gyroscope every turn tried makes a place, and must be over soon.
@@ -140,8 +140,9 @@ void BayesLocator::Core::track(Record& record, const HintIntegrator::GaitEvidenc
   judge_rivals(record, gait, shot);
 }
 
-void BayesLocator::Core::show(FitMonitor& fit, const Verdict& verdict, const Record& record) noexcept {
-  if (record.trust > 0.5) fit.observe(verdict.log_plan, record.echo, record.range);
+// Between levels the echoes fit no place, which says nothing against the place that was left.
+void BayesLocator::Core::show(FitMonitor& fit, const Verdict& verdict, const Record& record) const noexcept {
+  if (record.trust > 0.5 && away_ <= kPerhapsAway) fit.observe(verdict.log_plan, record.echo, record.range);
 }
 
 // Predicts, weighs and corrects every particle.
@@ -160,9 +161,9 @@ BayesLocator::Core::Verdict BayesLocator::Core::update(Population& population, c
     p.weight *= stepping ? gait.walking : gait.standing;
     before += p.weight;
     if (p.gait == Gait::away) {
-      const double density = density_away(p, shot, anywhere);
-      plan += p.weight * density;
-      p.weight *= tempered(density, record.novelty);
+      const Outcome outcome = hear_away(p, shot, anywhere);
+      plan += p.weight * outcome.plan;
+      p.weight *= tempered(outcome.density, record.novelty);
       continue;
     }
     if (record.trust > 0.0) {
@@ -199,12 +200,10 @@ double BayesLocator::Core::mapped_share_of(const Particle& p, Shot shot) {
   return weigh(p, shot, *model_, scene_).mapped;
 }
 
-// On stairs the walls of the stairwell still stand beside the wearer, as far as anybody can tell, though they do not
-// say where; in an elevator nothing in the plan does.
-double BayesLocator::Core::density_away(Particle& p, const Shot& shot, double anywhere) {
-  if (shot.trust <= 0.0) return anywhere;
-  if (!links_.on_stairs(p)) return in_cabin(shot);
-  return kStairwellShare * std::max(anywhere, overhear(p, shot, *model_, scene_).density);
+Outcome BayesLocator::Core::hear_away(Particle& p, const Shot& shot, double anywhere) const {
+  if (shot.trust <= 0.0) return {anywhere, anywhere, 0.0};
+  const double there = links_.on_stairs(p) ? on_stairs(shot, fit_.echo_share()) : in_cabin(shot);
+  return hear_in_no_room(p, shot, *model_, shot.trust * there + (1.0 - shot.trust) * anywhere);
 }
 
 std::span<const Spot> BayesLocator::Core::recall(const Shot& shot) {

@@ -70,10 +70,10 @@ class BayesLocator::Core {
   Verdict update(tracker::Population& population, const tracker::Record& record,
                  const tracker::HintIntegrator::GaitEvidence& gait, const tracker::Shot& shot);
   /// Lets the monitor of a belief see what that made of a reading, unless the sensor is suspect.
-  static void show(tracker::FitMonitor& fit, const Verdict& verdict, const tracker::Record& record) noexcept;
+  void show(tracker::FitMonitor& fit, const Verdict& verdict, const tracker::Record& record) const noexcept;
   void favour_standing(tracker::Population& population, double odds) const;
   [[nodiscard]] double mapped_share_of(const tracker::Particle& p, tracker::Shot shot);
-  [[nodiscard]] double density_away(tracker::Particle& p, const tracker::Shot& shot, double anywhere);
+  [[nodiscard]] tracker::Outcome hear_away(tracker::Particle& p, const tracker::Shot& shot, double anywhere) const;
   void track(tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait);
   /// The belief, its understudy and its rivals, as far as there are any.
   template <typename Action>

@@ -24,13 +24,6 @@ constexpr Ride kStairs{8.0, 0.12, 45.0};     // A storey of two flights takes so
 constexpr Ride kElevator{8.0, 0.06, 90.0};
 constexpr double kWaitRate = 5.0;            // 1/s: who is led stands where they came out until told how it goes on.
 constexpr double kObedience = 0.9;           // Who was told to go up and sets out goes up.
-// Cabins measure 1.1 by 1.4 m most often, 2.0 by 1.4 m at most (EN 81-70). Their steel walls answer straight on, and by
-// way of one another two or three times as far.
-constexpr double kCabinAnswers = 0.65;
-constexpr double kCabinReach = 1.6;          // Metres.
-constexpr double kCabinLate = 0.35;          // Of the echoes come by several walls,
-constexpr double kCabinLateReach = 4.0;      // metres, at most.
-constexpr double kNowhere = 0.002;           // Density of readings out of nowhere, per metre.
 constexpr double kLandingSigma = 0.6;        // Metres: where somebody steps off.
 constexpr double kLandingTurnSigma = degrees(8.0);
 
@@ -44,15 +37,6 @@ void stand(Particle& p) noexcept {
 }
 
 }  // namespace
-
-double in_cabin(const Shot& shot) noexcept {
-  if (!shot.echo) return 1.0 - kCabinAnswers;
-  double density = kNowhere;
-  if (shot.range < kCabinReach) density += kCabinAnswers * (1.0 - kCabinLate) / kCabinReach;
-  if (shot.range < kCabinLateReach) density += kCabinAnswers * kCabinLate / kCabinLateReach;
-  for (const Repeat& r : shot.repeats) density += r.density;
-  return density;
-}
 
 LevelLinks::LevelLinks(const Building& building) {
   for (std::size_t i = 0; i < building.links.size(); ++i) {

@@ -6,13 +6,9 @@
 #include "echoway/building/building.hpp"
 #include "echoway/locate/locator.hpp"
 #include "echoway/random.hpp"
-#include "tracker/likelihood.hpp"
 #include "tracker/particle.hpp"
 
 namespace echoway::tracker {
-
-/// Density of a shot's reading in an elevator's cabin, whose walls are all near and answer again and again.
-[[nodiscard]] double in_cabin(const Shot& shot) noexcept;
 
 /// Stairs and elevators: a wearer who comes to one may take it, is on the way for a while, on which no echo fits any
 /// room, and then stands at its other end. Empty, and free of cost, in a building of one level.

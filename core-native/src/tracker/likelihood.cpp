@@ -126,12 +126,6 @@ Outcome weigh(const Particle& p, const Shot& shot, const EchoModel& model, scene
   return hear(p, shot, model, scene).outcome;
 }
 
-Outcome overhear(Particle& p, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept {
-  const Outcome outcome = weigh(p, shot, model, scene);
-  note_stranger(p, shot, outcome);
-  return outcome;
-}
-
 Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept {
   const Hearing heard = hear(p, shot, model, scene);
   merge(p, heard.associations());
@@ -145,6 +139,14 @@ Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene:
   merge_or_choose(p, heard.associations(), random);
   note_stranger(p, shot, heard.outcome);
   return heard.outcome;
+}
+
+Outcome hear_in_no_room(Particle& p, const Shot& shot, const EchoModel& model, double density) noexcept {
+  const double again = shot.echo ? shot.trust * model.heard() * repeated(p, shot) : 0.0;
+  const double plan = std::max(kLeastDensity, density);
+  const Outcome outcome{plan + again, plan, 0.0};
+  note_stranger(p, shot, outcome);
+  return outcome;
 }
 
 }  // namespace echoway::tracker

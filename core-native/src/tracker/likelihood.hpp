@@ -73,14 +73,16 @@ struct Outcome {
 [[nodiscard]] Outcome weigh(const Particle& particle, const Shot& shot, const EchoModel& model,
                             scene::Scene& scene) noexcept;
 
-/// The same, and takes down in `strangers` how likely nothing in the plan answered, if the reading is an echo.
-Outcome overhear(Particle& particle, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept;
-
-/// The same, and the particle's Gaussian is updated with the reading, if that is an echo: see merge().
+/// The same, and an echo updates the particle's Gaussian, see merge(), and is taken down in `strangers`: how likely
+/// nothing in the plan answered.
 Outcome assimilate(Particle& particle, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept;
 /// For who is followed: see merge_or_choose(). Who is looked for may be at so many places, each of so few particles,
 /// that draws would lose them.
 Outcome assimilate(Particle& particle, const Shot& shot, const EchoModel& model, scene::Scene& scene,
                    Random& random) noexcept;
+
+/// What a reading says of a particle that is in no room, where readings have this `density`. Nothing in the plan
+/// answers, but what answered a moment ago may answer again.
+Outcome hear_in_no_room(Particle& particle, const Shot& shot, const EchoModel& model, double density) noexcept;
 
 }  // namespace echoway::tracker

@@ -127,25 +127,5 @@ TEST(LevelLinks, WhoMustBeOutStandsAtTheOtherEnd) {
   EXPECT_NEAR(distance(p.position, Vec2{3.0, 3.0}), 0.0, 1e-9);
 }
 
-Shot echo_from(double range) {
-  Shot shot;
-  shot.echo = true;
-  shot.range = range;
-  return shot;
-}
-
-TEST(Cabin, IsHeardByItsNearWalls) {
-  EXPECT_GT(in_cabin(echo_from(0.6)), 3.0 * in_cabin(echo_from(2.5)));
-  EXPECT_GT(in_cabin(echo_from(2.5)), 10.0 * in_cabin(echo_from(6.0)));
-}
-
-TEST(Cabin, AnswersAgainAndAgain) {
-  const Repeat again{3, 1.0};
-  Shot shot = echo_from(0.6);
-  const double once = in_cabin(shot);
-  shot.repeats = {&again, 1};
-  EXPECT_GT(in_cabin(shot), 2.0 * once);
-}
-
 }  // namespace
 }  // namespace echoway::tracker

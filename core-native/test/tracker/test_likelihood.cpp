@@ -40,16 +40,25 @@ TEST_F(LikelihoodTest, AnEchoOfAWallNearerThanThoughtMovesWhoListensTowardsIt) {
   EXPECT_LT(listens.cov.xx, before_wall_.cov.xx);
 }
 
-TEST_F(LikelihoodTest, WhoOverhearsItStaysAndKnowsWhatAnswered) {
-  Particle overhears = before_wall_;
-  const Outcome wall = overhear(overhears, heard_at(1.8), model_, scene_);
-  EXPECT_EQ(overhears.position, before_wall_.position);
-  EXPECT_EQ(overhears.cov.xx, before_wall_.cov.xx);
-  EXPECT_LT(overhears.strangers[0], 60);
-  const Outcome nothing = overhear(overhears, heard_at(0.9), model_, scene_);
-  EXPECT_GT(overhears.strangers[0], 200);
-  EXPECT_GT(wall.density, nothing.density);
-  EXPECT_EQ(wall.density, weigh(before_wall_, heard_at(1.8), model_, scene_).density);
+TEST_F(LikelihoodTest, WhoIsInNoRoomStaysWhereTheyAreThought) {
+  Particle climbs = before_wall_;
+  const Outcome heard = hear_in_no_room(climbs, heard_at(1.7), model_, 0.2);
+  EXPECT_EQ(climbs.position, before_wall_.position);
+  EXPECT_EQ(climbs.cov.xx, before_wall_.cov.xx);
+  EXPECT_EQ(heard.mapped, 0.0);
+  EXPECT_DOUBLE_EQ(heard.density, 0.2);
+}
+
+TEST_F(LikelihoodTest, WhatAnsweredInNoRoomMayAnswerAgainAndSaysNothingOfThePlan) {
+  Particle climbs = before_wall_;
+  Shot shot = heard_at(1.7);
+  const Repeat again{shot.sensor, 3.0};
+  shot.repeats = {&again, 1};
+  const Outcome first = hear_in_no_room(climbs, shot, model_, 0.2);
+  EXPECT_DOUBLE_EQ(first.density, 0.2) << "as far as is known the echo before came from something in the plan";
+  const Outcome second = hear_in_no_room(climbs, shot, model_, 0.2);
+  EXPECT_GT(second.density, 2.0);
+  EXPECT_DOUBLE_EQ(second.plan, 0.2);
 }
 
 }  // namespace
