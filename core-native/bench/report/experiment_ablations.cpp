@@ -51,6 +51,7 @@ constexpr Part kParts[] = {
     {"askew answers of near walls", &TrackerParts::rough_walls},
     {"corners heard by way of walls", &TrackerParts::mirrored_corners},
     {"repeated echoes as one surprise", &TrackerParts::repeats},
+    {"speed by what stands in no plan", &TrackerParts::range_rate},
     {"memory of unmapped furniture", &TrackerParts::memory},
     {"a resting sensor counted once", &TrackerParts::novelty},
     {"estimated speed of sound", &TrackerParts::sound_speed},

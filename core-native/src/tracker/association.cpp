@@ -86,6 +86,10 @@ void merge_or_choose(Particle& p, std::span<const Association> associations, Ran
   shift_by_mean(p, associations, shift);
 }
 
+void observe_speed(Particle& p, double speed, double variance) noexcept {
+  correct(p, {p.cov.xs, p.cov.ys, p.cov.ss, p.cov.sk}, speed - p.speed, p.cov.ss + variance);
+}
+
 void observe_log_scale(Particle& p, double log_scale, double variance) noexcept {
   correct(p, {p.cov.xk, p.cov.yk, p.cov.sk, p.cov.kk}, log_scale - p.log_scale, p.cov.kk + variance);
 }

@@ -38,6 +38,8 @@ void merge(Particle& particle, std::span<const Association> associations) noexce
 /// case.
 void merge_or_choose(Particle& particle, std::span<const Association> associations, Random& random) noexcept;
 
+/// Kalman update with a reading of the speed itself, m/s, of variance `variance` > 0.
+void observe_speed(Particle& particle, double speed, double variance) noexcept;
 /// Kalman update with a reading of the log sound-speed scale itself, of variance `variance` > 0.
 void observe_log_scale(Particle& particle, double log_scale, double variance) noexcept;
 

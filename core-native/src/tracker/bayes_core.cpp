@@ -8,6 +8,7 @@
 #include "tracker/elementary.hpp"
 #include "tracker/floor.hpp"
 #include "tracker/particle_need.hpp"
+#include "tracker/stillness.hpp"
 
 namespace echoway {
 
@@ -31,6 +32,7 @@ constexpr double kCoatRange = 0.5;                // Metres: two passes of neare
 constexpr double kSurelyUnmapped = 0.6;
 constexpr double kSureEnough = 0.35;              // Metres.
 constexpr double kBeyondArms = 0.40;              // Metres.
+constexpr double kWorthHeeding = 0.1;             // Probability that something in no plan answered.
 constexpr double kSharp = 1.0;                    // Metres: the standard deviation up to which a place is tracked.
 
 }  // namespace
@@ -72,9 +74,8 @@ bool BayesLocator::Core::on_firing(const Firing& firing) {
   if (covered()) record.trust = 0.0;
 
   if (const auto rate = hints_.take_still_rate()) stand_still(*rate);
-  auto gait = hints_.take_gait_evidence(firing.time_s, record.interval.seconds);
-  if (record.echo && gyro_) gait.still = stillness_.hear(record.sensor, record.range, firing.time_s, pace_);
-  if (!main_.empty()) track(record, gait);
+  const Evidence evidence = take_evidence(record, firing.time_s);
+  if (!main_.empty()) track(record, evidence);
   choose_model(record);
   pursue_search();
   for_all_beliefs([&](Population& belief) { thin_out(belief); });
@@ -121,8 +122,21 @@ Shot BayesLocator::Core::aim(const Record& record) const {
   return shot_of(record, belt_, bearings_[static_cast<std::size_t>(record.sensor)]);
 }
 
+BayesLocator::Core::Evidence BayesLocator::Core::take_evidence(const Record& record, double time_s) {
+  Evidence evidence{hints_.take_gait_evidence(time_s, record.interval.seconds)};
+  if (!record.echo || !gyro_) return evidence;
+  const auto pair = pairs_.hear(record.sensor, record.range, time_s);
+  if (!pair) return evidence;
+  evidence.heard_twice = true;
+  evidence.still = stillness(*pair, pace_);
+  if (options_.parts.range_rate) {
+    evidence.speed = speed_by_range_rate(*pair, bearings_[static_cast<std::size_t>(record.sensor)], pace_);
+  }
+  return evidence;
+}
+
 // One firing for the belief, and for its understudy and its rivals if there are any.
-void BayesLocator::Core::track(Record& record, const HintIntegrator::GaitEvidence& gait) {
+void BayesLocator::Core::track(Record& record, const Evidence& evidence) {
   Shot shot = aim(record);
   const bool tracked = record.echo && estimate_.state == TrackState::tracking;
   if (record.echo && options_.parts.repeats) {
@@ -131,13 +145,13 @@ void BayesLocator::Core::track(Record& record, const HintIntegrator::GaitEvidenc
   Shot remembering = shot;
   // A lost tracker would explain everything by furniture: memory serves only while the plan explains most echoes.
   if (tracked && options_.parts.memory && mapped_share_ > kPlanExplains) remembering.spots = recall(shot);
-  const Verdict verdict = update(main_, record, gait, remembering);
+  const Verdict verdict = update(main_, record, evidence, remembering);
   unmapped_ = tracked ? 1.0 - verdict.mapped : 0.0;
   if (tracked && record.range > kBeyondArms) mapped_share_ += kShareGain * (verdict.mapped - mapped_share_);
   record.log_main = record.novelty * verdict.log_plan;
   show(fit_, verdict, record);
-  follow_understudy(record, gait, remembering);
-  judge_rivals(record, gait, shot);
+  follow_understudy(record, evidence, remembering);
+  judge_rivals(record, evidence, shot);
 }
 
 // Between levels the echoes fit no place, which says nothing against the place that was left.
@@ -147,7 +161,7 @@ void BayesLocator::Core::show(FitMonitor& fit, const Verdict& verdict, const Rec
 
 // Predicts, weighs and corrects every particle.
 BayesLocator::Core::Verdict BayesLocator::Core::update(Population& population, const Record& record,
-                                                       const HintIntegrator::GaitEvidence& gait, const Shot& shot) {
+                                                       const Evidence& evidence, const Shot& shot) {
   double mapped = 0.0;
   double plan = 0.0;
   double before = 0.0;
@@ -158,7 +172,7 @@ BayesLocator::Core::Verdict BayesLocator::Core::update(Population& population, c
     stride.advance(p, random_);
     if (!links_.none()) links_.step(p, last_time_, record.interval.seconds, record.interval.turn_known, random_);
     const bool stepping = p.gait == Gait::walking || (p.gait == Gait::away && links_.on_stairs(p));
-    p.weight *= stepping ? gait.walking : gait.standing;
+    p.weight *= stepping ? evidence.gait.walking : evidence.gait.standing;
     before += p.weight;
     if (p.gait == Gait::away) {
       const Outcome outcome = hear_away(p, shot, anywhere);
@@ -178,20 +192,24 @@ BayesLocator::Core::Verdict BayesLocator::Core::update(Population& population, c
     }
     p.weight *= settle_on_floor(p, scene_);
   }
-  // What the plan explains has been weighed by place: along a plain wall who walks hears the same again as well.
   const double explained = before > 0.0 ? mapped / before : 0.0;
-  if (gait.still != 1.0) favour_standing(population, tempered(gait.still, std::max(record.trust - explained, 0.0)));
+  heed_pair(population, evidence, std::max(record.trust - explained, 0.0));
   population.temper_modes(!gyro_ ? kShareBetweenBlind : away_ > kPerhapsAway ? kShareBetweenLevels : kShareBetween);
   population.normalize();
   if (!(before > 0.0)) return {};
   return {fast_log(plan) - fast_log(before), explained};
 }
 
-// Who rides an elevator stands as well, and hears the cabin again and again.
-void BayesLocator::Core::favour_standing(Population& population, double odds) const {
+// What the plan explains has been weighed by place: along a plain wall who walks hears the same again as well. Who
+// rides an elevator stands, too, and hears the cabin again and again.
+void BayesLocator::Core::heed_pair(Population& population, const Evidence& evidence, double unexplained) const {
+  if (!evidence.heard_twice || unexplained <= 0.0) return;
+  const double still = tempered(evidence.still, unexplained);
+  const bool moves = evidence.speed && unexplained > kWorthHeeding;
   for (Particle& p : population.particles()) {
     const bool rides = p.gait == Gait::away && !links_.on_stairs(p);
-    if (rides || p.gait == Gait::standing) p.weight *= odds;
+    if (rides || p.gait == Gait::standing) p.weight *= still;
+    if (moves && p.gait == Gait::walking) p.weight *= heed(p, *evidence.speed, unexplained);
   }
 }
 

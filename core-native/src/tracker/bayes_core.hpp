@@ -7,6 +7,7 @@
 #include "echoway/tracker/bayes_locator.hpp"
 #include "tracker/dead_reckoning.hpp"
 #include "tracker/echo_memory.hpp"
+#include "tracker/echo_pairs.hpp"
 #include "tracker/echo_repeats.hpp"
 #include "tracker/fit_monitor.hpp"
 #include "tracker/history.hpp"
@@ -17,10 +18,10 @@
 #include "tracker/motion.hpp"
 #include "tracker/novelty.hpp"
 #include "tracker/population.hpp"
+#include "tracker/range_rate.hpp"
 #include "tracker/rivals.hpp"
 #include "tracker/search.hpp"
 #include "tracker/sensor_health.hpp"
-#include "tracker/stillness.hpp"
 #include "tracker/summary.hpp"
 #include "tracker/understudy.hpp"
 
@@ -61,6 +62,14 @@ class BayesLocator::Core {
   // A firing.
   [[nodiscard]] bool tell_time(double time_s, double& seconds);
   [[nodiscard]] tracker::Record take_down(const Firing& firing, double seconds);
+  /// What is told of the wearer's gait besides the place.
+  struct Evidence {
+    tracker::HintIntegrator::GaitEvidence gait;   ///< By the steps.
+    bool heard_twice = false;                     ///< A sensor's echo makes a pair with its last one.
+    double still = 1.0;                           ///< By the pair, for standing (stillness()),
+    std::optional<tracker::SpeedReading> speed;   ///< and how fast the wearer walks, if they do.
+  };
+  [[nodiscard]] Evidence take_evidence(const tracker::Record& record, double time_s);
   [[nodiscard]] tracker::Shot aim(const tracker::Record& record) const;
   /// What a population made of a reading.
   struct Verdict {
@@ -68,13 +77,13 @@ class BayesLocator::Core {
     double mapped = 0.0;      ///< Probability that something in the plan answered.
   };
   Verdict update(tracker::Population& population, const tracker::Record& record,
-                 const tracker::HintIntegrator::GaitEvidence& gait, const tracker::Shot& shot);
+                 const Evidence& evidence, const tracker::Shot& shot);
   /// Lets the monitor of a belief see what that made of a reading, unless the sensor is suspect.
   void show(tracker::FitMonitor& fit, const Verdict& verdict, const tracker::Record& record) const noexcept;
-  void favour_standing(tracker::Population& population, double odds) const;
+  void heed_pair(tracker::Population& population, const Evidence& evidence, double unexplained) const;
   [[nodiscard]] double mapped_share_of(const tracker::Particle& p, tracker::Shot shot);
   [[nodiscard]] tracker::Outcome hear_away(tracker::Particle& p, const tracker::Shot& shot, double anywhere) const;
-  void track(tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait);
+  void track(tracker::Record& record, const Evidence& evidence);
   /// The belief, its understudy and its rivals, as far as there are any.
   template <typename Action>
   void for_all_beliefs(const Action& action) {
@@ -127,13 +136,13 @@ class BayesLocator::Core {
   void conclude_doubt();
   [[nodiscard]] std::optional<LevelTransition> link_to_take() const;
   [[nodiscard]] bool is_doubted(const tracker::Particle& p) const;
-  void follow_understudy(tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait,
+  void follow_understudy(tracker::Record& record, const Evidence& evidence,
                          const tracker::Shot& shot);
   void begin_understudy();
   void believe_understudy();
   void dismiss_others() noexcept;
   void forget_surroundings();
-  void judge_rivals(const tracker::Record& record, const tracker::HintIntegrator::GaitEvidence& gait,
+  void judge_rivals(const tracker::Record& record, const Evidence& evidence,
                     const tracker::Shot& shot);
   [[nodiscard]] bool may_search() const;
   [[nodiscard]] bool is_search_needless() const;
@@ -174,7 +183,7 @@ class BayesLocator::Core {
   tracker::EchoMemory memory_;
   tracker::EchoRepeats repeats_;
   tracker::Novelty novelty_;
-  tracker::Stillness stillness_;
+  tracker::EchoPairs pairs_;
   double away_ = 0.0;               ///< Probability that the wearer is on stairs or in an elevator,
   tracker::LevelLinks::Landing landing_;   ///< and where that leads, most likely.
   double mapped_share_ = 0.0;       ///< Of recent echoes that something in the plan explains.

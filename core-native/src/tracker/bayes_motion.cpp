@@ -29,7 +29,7 @@ void BayesLocator::Core::follow_movement(const Interval& interval) {
   const double forward = estimate_.speed_mps * dt;
   novelty_.move(std::abs(forward), turned);
   repeats_.move(forward, turn);
-  stillness_.turn(turn);
+  pairs_.turn(turn);
 }
 
 void BayesLocator::Core::reckon_on(const Interval& interval) {

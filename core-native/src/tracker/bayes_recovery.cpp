@@ -207,11 +207,11 @@ std::uint64_t BayesLocator::Core::search_pause() const {
   return gyro_ ? kPoorPause << std::min(fruitless_ / kCircles, kMostDoublings) : kBlindPoorPause;
 }
 
-void BayesLocator::Core::judge_rivals(const Record& record, const HintIntegrator::GaitEvidence& gait,
+void BayesLocator::Core::judge_rivals(const Record& record, const Evidence& evidence,
                                       const Shot& shot) {
   for (Rival& rival : rivals_) {
     if (!rival.present()) continue;
-    const double log_rival = record.novelty * update(rival.population(), record, gait, shot).log_plan;
+    const double log_rival = record.novelty * update(rival.population(), record, evidence, shot).log_plan;
     switch (rival.judge(record.log_main, log_rival, fit_.poor() && unconfirmed_ == 0)) {
       case Rival::Verdict::undecided:
         break;

@@ -14,14 +14,14 @@ constexpr int kGap = 32;
 
 // With a gyroscope hardly any turn is missed, and a second belief would double what a firing costs. Nor does one help
 // while many places are in mind already; and while a place is doubted, no other may take its name.
-void BayesLocator::Core::follow_understudy(Record& record, const HintIntegrator::GaitEvidence& gait, const Shot& shot) {
+void BayesLocator::Core::follow_understudy(Record& record, const Evidence& evidence, const Shot& shot) {
   const bool needless = blind_for_ <= kGap || doubt_ == Doubt::running;
   if (needless || !options_.parts.understudy) return understudy_.dismiss();
   if (!understudy_.present()) {
     if (estimate_.state == TrackState::tracking && !fit_.doubtful()) begin_understudy();
     return;
   }
-  const Verdict verdict = update(understudy_.population(), record, gait, shot);
+  const Verdict verdict = update(understudy_.population(), record, evidence, shot);
   record.log_second = record.novelty * verdict.log_plan;
   show(understudy_.fit(), verdict, record);
   switch (understudy_.judge(record.log_main, record.log_second)) {

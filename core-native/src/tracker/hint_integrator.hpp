@@ -37,7 +37,6 @@ class HintIntegrator {
   struct GaitEvidence {
     double standing = 1.0;
     double walking = 1.0;
-    double still = 1.0;      ///< For standing besides, as repeated echoes tell (Stillness): 1 as taken here.
   };
   [[nodiscard]] GaitEvidence take_gait_evidence(double time_s, double seconds) noexcept;
   /// Steps a second on the way, the median of the last ones; 0 when nobody is stepping or too few steps were heard.

@@ -2,16 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "echoway/units.hpp"
 #include "tracker/elementary.hpp"
 
 namespace echoway::tracker {
 namespace {
 
-constexpr double kOldest = 1.5;                // Seconds.
-constexpr double kSameSide = degrees(6.0);     // A sensor that turned by more looks elsewhere.
 // Of a hundred echoes of who stands ninety repeat the last one, give or take so much (a Cauchy distribution: some come
 // from another part of the same thing) ...
 constexpr double kRepeated = 0.9;
@@ -27,16 +23,12 @@ constexpr double kEvidence = 0.3;              // Of it counts: shelves repeat t
 
 }  // namespace
 
-double Stillness::hear(int sensor, double range, double time_s, double pace) noexcept {
-  Last& mine = last_[static_cast<std::size_t>(sensor)];
-  const Last last = std::exchange(mine, {time_s, range, turned_});
-  const double age = time_s - last.time_s;
-  if (!(age > 0.0 && age < kOldest) || !(std::abs(turned_ - last.turned) < kSameSide)) return 1.0;
-  const double change = std::abs(range - last.range);
-  const double spread = kSpread + kSpreadPerMetre * range;
+double stillness(const EchoPair& pair, double pace) noexcept {
+  const double change = std::abs(pair.range - pair.before);
+  const double spread = kSpread + kSpreadPerMetre * pair.range;
   const double off = change / spread;
   const double same = kRepeated * 2.0 / (kPi * spread * (1.0 + off * off)) + kAnything;
-  const double way = std::max(kShortestWay, kShareOfWay * pace * age);
+  const double way = std::max(kShortestWay, kShareOfWay * pace * pair.seconds);
   const double far = change / way;
   const double other = kChanged * 2.0 * kInvSqrtTwoPi / way * fast_exp(-0.5 * far * far) + kAnythingElse;
   return fast_exp(kEvidence * fast_log(same / other));

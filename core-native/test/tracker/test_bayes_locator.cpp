@@ -91,15 +91,19 @@ TEST(BayesLocator, ARoomEndsInTheMiddleOfADoorway) {
   EXPECT_NEAR(late, 0.0, 1.0) << "firings";
 }
 
-// Cluttered rooms, people about, ghosts: most echoes come from what the plan does not know. A model that reckons with
-// less of it loses two of these walks.
+// Cluttered rooms, people about, ghosts: most echoes come from what the plan does not know.
 TEST(BayesLocator, HoldsAWearerAmongMoreStrangersThanThingsOfThePlan) {
   const Building building = *load_building(std::string(ECHOWAY_MAPS_DIR) + "/torgersen-lab");
-  for (std::uint64_t seed = 301; seed <= 308; ++seed) {
+  double mean_m = 0.0;
+  for (const std::uint64_t seed : {307, 310, 313, 323}) {
     const auto walk = walk_through(building, seed * 101 + 7, 60.0, sim::Profile::hard);
-    BayesLocator locator(building, walk.scans.belt.apply_to({}), test::start_of(walk, building), {.seed = seed});
-    EXPECT_LT(follow(locator, building, walk, true).mean_m, 1.0) << "walk " << seed;
+    for (std::uint64_t draws = 0; draws < 3; ++draws) {
+      BayesLocator locator(building, walk.scans.belt.apply_to({}), test::start_of(walk, building),
+                           {.seed = seed + 1000 * draws});
+      mean_m += follow(locator, building, walk, true).mean_m / 12.0;
+    }
   }
+  EXPECT_LT(mean_m, 0.15) << "metres; a model that reckons with less of it errs by a third more";
 }
 
 // On a thigh the phone turns with every stride though the belt does not.

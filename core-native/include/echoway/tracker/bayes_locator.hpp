@@ -13,6 +13,7 @@ struct TrackerParts {
   bool rough_walls = true;       ///< Near walls may answer askew.
   bool mirrored_corners = true;  ///< Corners are heard by way of walls.
   bool repeats = true;           ///< What answered a moment ago answers again.
+  bool range_rate = true;        ///< With a gyroscope, what stands in no plan tells how fast the wearer comes nearer.
   bool memory = true;            ///< Unmapped furniture is remembered.
   bool novelty = true;           ///< A resting sensor's evidence counts once.
   bool sound_speed = true;       ///< The scale of ranges is estimated.

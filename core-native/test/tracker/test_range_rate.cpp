@@ -1,0 +1,121 @@
+#include "tracker/range_rate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "echoway/tracker/bayes_locator.hpp"
+#include "echoway/units.hpp"
+#include "tracker/plans.hpp"
+
+namespace echoway::tracker {
+namespace {
+
+constexpr double kPass = 1.0;    // Seconds.
+constexpr double kPace = 0.55;   // m/s.
+
+// What the ranges of two echoes a second apart tell, heard `bearing` off the heading.
+std::optional<SpeedReading> told_by(double first, double second, double bearing = 0.0) {
+  return speed_by_range_rate({kPass, first, second}, {std::cos(bearing), std::sin(bearing)}, kPace);
+}
+
+TEST(RangeRate, TellsHowFastTheWearerComesNearer) {
+  const auto ahead = told_by(3.0, 2.5);
+  ASSERT_TRUE(ahead);
+  EXPECT_NEAR(ahead->speed, 0.5, 1e-12);
+  const auto behind = told_by(1.0, 1.5, kPi);
+  ASSERT_TRUE(behind);
+  EXPECT_NEAR(behind->speed, 0.5, 1e-12);
+}
+
+TEST(RangeRate, TellsLessOfWhatIsFarOrToOneSide) {
+  const double near = told_by(1.5, 1.0)->variance;
+  EXPECT_GT(told_by(6.5, 6.0)->variance, 1.5 * near);
+  EXPECT_GT(told_by(1.5, 1.0, degrees(48.0))->variance, 1.5 * near);
+}
+
+TEST(RangeRate, TellsNothingOfWhatIsBesideTheWearer) {
+  EXPECT_FALSE(told_by(1.5, 1.0, degrees(72.0)));
+  EXPECT_FALSE(told_by(1.5, 1.0, degrees(-96.0)));
+}
+
+TEST(RangeRate, TellsNothingWhereNobodyWalks) {
+  EXPECT_FALSE(told_by(2.0, 2.0)) << "standing is told elsewhere";
+  EXPECT_FALSE(told_by(2.0, 2.5)) << "nobody walks backwards for long";
+  EXPECT_FALSE(told_by(5.0, 2.0)) << "too fast for anybody";
+  EXPECT_FALSE(told_by(0.8, 0.3)) << "an arm";
+}
+
+// One who is thought to walk at 0.6 m/s, give or take 0.1, and to have come so far.
+Particle walker() {
+  Particle p;
+  p.weight = 1.0;
+  p.gait = Gait::walking;
+  p.speed = 0.6;
+  p.cov.xx = p.cov.yy = p.cov.ss = 0.01;
+  p.cov.xs = 0.005;
+  return p;
+}
+
+TEST(RangeRate, ChangesSpeedAndTheWayThatWasWalkedWithIt) {
+  Particle p = walker();
+  const double factor = heed(p, {0.5, 0.0025}, 1.0);
+  EXPECT_LT(p.speed, 0.55);
+  EXPECT_GT(p.speed, 0.5);
+  EXPECT_LT(p.position.x, -0.01);
+  EXPECT_LT(p.cov.ss, 0.005);
+  EXPECT_GT(factor, 1.0) << "who stands would not have heard that";
+}
+
+TEST(RangeRate, CountsForAsMuchAsThePlanDoesNotExplain) {
+  Particle half = walker(), whole = walker();
+  const double factor = heed(half, {0.5, 0.0025}, 0.5);
+  EXPECT_GT(half.speed, 0.52);
+  EXPECT_LT(half.speed, 0.6);
+  EXPECT_LT(factor, heed(whole, {0.5, 0.0025}, 1.0));
+}
+
+TEST(RangeRate, OfAnotherThingIsNotTakenForTheWearers) {
+  Particle p = walker();
+  const double factor = heed(p, {1.4, 0.0025}, 1.0);
+  EXPECT_EQ(p.speed, 0.6);
+  EXPECT_LT(factor, 1.0);
+  EXPECT_GT(factor, 0.5) << "which happens";
+}
+
+// A long hall that says nothing of the way along it, cupboards at its end that stand in no plan, and nobody's steps are
+// heard. How far from the truth who walks slowly is at the end, metres.
+double off_after_a_slow_walk(std::uint64_t seed, bool range_rate) {
+  constexpr double kWidth = 2.4, kCupboards = 9.0, kFrom = 2.0, kSpeed = 0.35, kEnds = 12.0;
+  Building hall;
+  hall.rooms.push_back(test::room_from_outline("hall", {{-30, 0}, {40, 0}, {40, kWidth}, {-30, kWidth}}));
+  const BeltConfig belt;
+  BayesOptions options{.seed = seed};
+  options.parts.range_rate = range_rate;
+  BayesLocator locator(hall, belt, {.room = 0, .position = Vec2{kFrom, 0.5 * kWidth}, .heading = 0.0}, options);
+  double x = kFrom;
+  for (int i = 0; i * belt.slot_s < kEnds; ++i) {
+    const double time = i * belt.slot_s;
+    x = kFrom + kSpeed * time;
+    const int sensor = i % belt.sensors;
+    const double bearing = wrap_angle(belt.bearing(sensor));
+    const bool ahead = std::abs(bearing) < degrees(60.0);
+    const bool beside = std::abs(std::abs(bearing) - 0.5 * kPi) < degrees(13.0);
+    const double echo = ahead ? (kCupboards - x) / std::cos(bearing) : beside ? 0.5 * kWidth : Firing::kNoEcho;
+    locator.on_motion({time, MotionKind::yaw_rate, 0.0});
+    locator.on_firing({time, sensor, ahead || beside ? echo - belt.radius_m : echo});
+  }
+  return std::abs(locator.estimate().pose.position.x - x);
+}
+
+TEST(RangeRate, KeepsWhoWalksSlowlyFromRunningAhead) {
+  double without = 0.0, with = 0.0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    without += off_after_a_slow_walk(seed, false);
+    with += off_after_a_slow_walk(seed, true);
+  }
+  EXPECT_LT(with, 0.7 * without);
+}
+
+}  // namespace
+}  // namespace echoway::tracker
