@@ -4,11 +4,9 @@
 #include <cmath>
 
 #include "tracker/association.hpp"
-#include "tracker/between_levels.hpp"
 #include "tracker/elementary.hpp"
 #include "tracker/floor.hpp"
 #include "tracker/particle_need.hpp"
-#include "tracker/stillness.hpp"
 
 namespace echoway {
 
@@ -32,7 +30,6 @@ constexpr double kCoatRange = 0.5;                // Metres: two passes of neare
 constexpr double kSurelyUnmapped = 0.6;
 constexpr double kSureEnough = 0.35;              // Metres.
 constexpr double kBeyondArms = 0.40;              // Metres.
-constexpr double kWorthHeeding = 0.1;             // Probability that something in no plan answered.
 constexpr double kSharp = 1.0;                    // Metres: the standard deviation up to which a place is tracked.
 
 }  // namespace
@@ -122,19 +119,6 @@ Shot BayesLocator::Core::aim(const Record& record) const {
   return shot_of(record, belt_, bearings_[static_cast<std::size_t>(record.sensor)]);
 }
 
-BayesLocator::Core::Evidence BayesLocator::Core::take_evidence(const Record& record, double time_s) {
-  Evidence evidence{hints_.take_gait_evidence(time_s, record.interval.seconds)};
-  if (!record.echo || !gyro_) return evidence;
-  const auto pair = pairs_.hear(record.sensor, record.range, time_s);
-  if (!pair) return evidence;
-  evidence.heard_twice = true;
-  evidence.still = stillness(*pair, pace_);
-  if (options_.parts.range_rate) {
-    evidence.speed = speed_by_range_rate(*pair, bearings_[static_cast<std::size_t>(record.sensor)], pace_);
-  }
-  return evidence;
-}
-
 // One firing for the belief, and for its understudy and its rivals if there are any.
 void BayesLocator::Core::track(Record& record, const Evidence& evidence) {
   Shot shot = aim(record);
@@ -156,7 +140,7 @@ void BayesLocator::Core::track(Record& record, const Evidence& evidence) {
 
 // Between levels the echoes fit no place, which says nothing against the place that was left.
 void BayesLocator::Core::show(FitMonitor& fit, const Verdict& verdict, const Record& record) const noexcept {
-  if (record.trust > 0.5 && away_ <= kPerhapsAway) fit.observe(verdict.log_plan, record.echo, record.range);
+  if (record.trust > 0.5 && !perhaps_away()) fit.observe(verdict.log_plan, record.echo, record.range);
 }
 
 // Predicts, weighs and corrects every particle.
@@ -194,34 +178,15 @@ BayesLocator::Core::Verdict BayesLocator::Core::update(Population& population, c
   }
   const double explained = before > 0.0 ? mapped / before : 0.0;
   heed_pair(population, evidence, std::max(record.trust - explained, 0.0));
-  population.temper_modes(!gyro_ ? kShareBetweenBlind : away_ > kPerhapsAway ? kShareBetweenLevels : kShareBetween);
+  population.temper_modes(!gyro_ ? kShareBetweenBlind : perhaps_away() ? kShareBetweenLevels : kShareBetween);
   population.normalize();
   if (!(before > 0.0)) return {};
   return {fast_log(plan) - fast_log(before), explained};
 }
 
-// What the plan explains has been weighed by place: along a plain wall who walks hears the same again as well. Who
-// rides an elevator stands, too, and hears the cabin again and again.
-void BayesLocator::Core::heed_pair(Population& population, const Evidence& evidence, double unexplained) const {
-  if (!evidence.heard_twice || unexplained <= 0.0) return;
-  const double still = tempered(evidence.still, unexplained);
-  const bool moves = evidence.speed && unexplained > kWorthHeeding;
-  for (Particle& p : population.particles()) {
-    const bool rides = p.gait == Gait::away && !links_.on_stairs(p);
-    if (rides || p.gait == Gait::standing) p.weight *= still;
-    if (moves && p.gait == Gait::walking) p.weight *= heed(p, *evidence.speed, unexplained);
-  }
-}
-
 double BayesLocator::Core::mapped_share_of(const Particle& p, Shot shot) {
   shot.trust = 1.0;
   return weigh(p, shot, *model_, scene_).mapped;
-}
-
-Outcome BayesLocator::Core::hear_away(Particle& p, const Shot& shot, double anywhere) const {
-  if (shot.trust <= 0.0) return {anywhere, anywhere, 0.0};
-  const double there = links_.on_stairs(p) ? on_stairs(shot, fit_.echo_share()) : in_cabin(shot);
-  return hear_in_no_room(p, shot, *model_, shot.trust * there + (1.0 - shot.trust) * anywhere);
 }
 
 std::span<const Spot> BayesLocator::Core::recall(const Shot& shot) {
@@ -249,9 +214,8 @@ void BayesLocator::Core::thin_out(Population& population) {
   const bool shrink = size > settled + settled / 4;
   const bool worn = population.least_effective_share() <= 0.5;
   if (!worn && !(shrink && history_.end() % 4 == 0)) return;
-  const bool away = away_ > kPerhapsAway;
   const bool silent = echoes_since(history_.end() - std::min(history_.end(), kSilence)) == 0;
-  const ParticleNeed belief{settled, population.occupied_cells(), fit_.doubt(), away, silent};
+  const ParticleNeed belief{settled, population.occupied_cells(), fit_.doubt(), perhaps_away(), silent};
   const std::size_t target = particles_needed(belief, population.capacity());
   if (!worn && target >= size) return;
   resample(population, target);

@@ -62,11 +62,10 @@ class BayesLocator::Core {
   // A firing.
   [[nodiscard]] bool tell_time(double time_s, double& seconds);
   [[nodiscard]] tracker::Record take_down(const Firing& firing, double seconds);
-  /// What is told of the wearer's gait besides the place.
+  /// What tells of the wearer's gait besides the place.
   struct Evidence {
     tracker::HintIntegrator::GaitEvidence gait;   ///< By the steps.
-    bool heard_twice = false;                     ///< A sensor's echo makes a pair with its last one.
-    double still = 1.0;                           ///< By the pair, for standing (stillness()),
+    std::optional<double> still;                  ///< For standing, by an echo and the last one (stillness()),
     std::optional<tracker::SpeedReading> speed;   ///< and how fast the wearer walks, if they do.
   };
   [[nodiscard]] Evidence take_evidence(const tracker::Record& record, double time_s);
@@ -76,8 +75,8 @@ class BayesLocator::Core {
     double log_plan = 0.0;    ///< Log density of the reading by the plan alone.
     double mapped = 0.0;      ///< Probability that something in the plan answered.
   };
-  Verdict update(tracker::Population& population, const tracker::Record& record,
-                 const Evidence& evidence, const tracker::Shot& shot);
+  Verdict update(tracker::Population& population, const tracker::Record& record, const Evidence& evidence,
+                 const tracker::Shot& shot);
   /// Lets the monitor of a belief see what that made of a reading, unless the sensor is suspect.
   void show(tracker::FitMonitor& fit, const Verdict& verdict, const tracker::Record& record) const noexcept;
   void heed_pair(tracker::Population& population, const Evidence& evidence, double unexplained) const;
@@ -100,6 +99,7 @@ class BayesLocator::Core {
   void remember(const tracker::Record& record);
   void conclude(double time_s);
   void see_who_is_away();
+  [[nodiscard]] bool perhaps_away() const noexcept { return away_ > kPerhapsAway; }
   [[nodiscard]] bool covered() const noexcept { return near_in_a_row_ >= 2 * belt_.sensors; }
   [[nodiscard]] TrackState state() const;
 
@@ -136,14 +136,12 @@ class BayesLocator::Core {
   void conclude_doubt();
   [[nodiscard]] std::optional<LevelTransition> link_to_take() const;
   [[nodiscard]] bool is_doubted(const tracker::Particle& p) const;
-  void follow_understudy(tracker::Record& record, const Evidence& evidence,
-                         const tracker::Shot& shot);
+  void follow_understudy(tracker::Record& record, const Evidence& evidence, const tracker::Shot& shot);
   void begin_understudy();
   void believe_understudy();
   void dismiss_others() noexcept;
   void forget_surroundings();
-  void judge_rivals(const tracker::Record& record, const Evidence& evidence,
-                    const tracker::Shot& shot);
+  void judge_rivals(const tracker::Record& record, const Evidence& evidence, const tracker::Shot& shot);
   [[nodiscard]] bool may_search() const;
   [[nodiscard]] bool is_search_needless() const;
   void believe(tracker::Rival& rival);

@@ -29,7 +29,7 @@ void BayesLocator::Core::start_doubting() {
     links_.expect({});   // Whether they have taken it or not, they do so no longer.
     if (on_it) return;
   }
-  const bool away = away_ > kPerhapsAway && !doubted_link_;
+  const bool away = perhaps_away() && !doubted_link_;
   if (hearing_test_ != HearingTest::done || away || now < kDoubtWindow) return;
   const std::uint64_t begin = now - kDoubtWindow;
   if (echoes_since(begin) < kFewestEchoes) return;

@@ -42,7 +42,7 @@ void BayesLocator::Core::reckon_on(const Interval& interval) {
 
 // A wearer's steps are of much the same length; how fast they follow tells the pace before the echoes do.
 void BayesLocator::Core::learn_pace(double time_s) {
-  if (away_ > kPerhapsAway) return hints_.forget_cadence();   // Treads are shorter than steps, and follow faster.
+  if (perhaps_away()) return hints_.forget_cadence();   // Treads are shorter than steps, and follow faster.
   const bool walks = summary_.walking > kSure && summary_.hypotheses[0].probability > kSure;
   const double cadence = hints_.cadence(time_s);
   if (cadence > 0.0) {
@@ -63,7 +63,7 @@ void BayesLocator::Core::learn_step_length(double metres) {
 
 // Steps and turns count from where the place is known well, which is given up at the first doubt.
 void BayesLocator::Core::reckon_from_here() {
-  if (away_ > kPerhapsAway) return reckoning_.forget();
+  if (perhaps_away()) return reckoning_.forget();
   const bool sure = estimate_.state == TrackState::tracking && estimate_.sigma_m < kSharpEnough;
   if (!gyro_ || explained_ == 0 || !sure) return;
   reckoning_.begin(place(estimate_.pose.position, estimate_.pose.heading, RoomFrame(building_, estimate_.room)));

@@ -118,7 +118,7 @@ void BayesLocator::Core::start_recovery() {
 bool BayesLocator::Core::may_be_elsewhere() const {
   const bool somewhere = summary_.hypotheses[0].probability > kSomewhere;
   const bool unproved = estimate_.state != TrackState::tracking || (gyro_ && fruitless_ < kSecondOpinions);
-  return away_ <= kPerhapsAway && somewhere && (fit_.doubtful() || (unconfirmed_ > 0 && unproved));
+  return !perhaps_away() && somewhere && (fit_.doubtful() || (unconfirmed_ > 0 && unproved));
 }
 
 void BayesLocator::Core::look_where_stairs_lead(SearchDomain& domain, std::uint64_t begin) const {
@@ -207,8 +207,7 @@ std::uint64_t BayesLocator::Core::search_pause() const {
   return gyro_ ? kPoorPause << std::min(fruitless_ / kCircles, kMostDoublings) : kBlindPoorPause;
 }
 
-void BayesLocator::Core::judge_rivals(const Record& record, const Evidence& evidence,
-                                      const Shot& shot) {
+void BayesLocator::Core::judge_rivals(const Record& record, const Evidence& evidence, const Shot& shot) {
   for (Rival& rival : rivals_) {
     if (!rival.present()) continue;
     const double log_rival = record.novelty * update(rival.population(), record, evidence, shot).log_plan;

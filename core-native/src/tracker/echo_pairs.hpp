@@ -7,7 +7,7 @@
 
 namespace echoway::tracker {
 
-/// Two echoes of a sensor, a pass of the belt apart, between which it has not turned away.
+/// Two echoes of a sensor, 1.5 s apart at most, a pass of the belt as a rule, between which it has not turned away.
 struct EchoPair {
   double seconds = 0.0;     ///< From one to the other, above 0.
   double before = 0.0;      ///< Range of the first,

@@ -7,7 +7,7 @@ class FitMonitor {
  public:
   /// Density of a reading, per metre for an echo and a plain probability for none, when nothing is known of the place.
   [[nodiscard]] double anywhere(bool echo, double range) const noexcept;
-  /// Share of firings that were answered of late. 0.15 to 0.85.
+  /// Share of the firings observed of late that were answered. 0.15 to 0.85.
   [[nodiscard]] double echo_share() const noexcept { return echo_share_; }
 
   /// `log_density` as the tracked hypothesis predicted the reading; `echo` and `range` say which reading it was.

@@ -81,8 +81,9 @@ Outcome assimilate(Particle& particle, const Shot& shot, const EchoModel& model,
 Outcome assimilate(Particle& particle, const Shot& shot, const EchoModel& model, scene::Scene& scene,
                    Random& random) noexcept;
 
-/// What a reading says of a particle that is in no room, where readings have this `density`. Nothing in the plan
-/// answers, but what answered a moment ago may answer again.
+/// What a reading says of a particle that is in no room, where it has this `density`, per metre for an echo and a plain
+/// probability for none. Nothing in the plan answers, which `strangers` takes down, but what answered a moment ago may
+/// answer again, as far as the sensor is trusted.
 Outcome hear_in_no_room(Particle& particle, const Shot& shot, const EchoModel& model, double density) noexcept;
 
 }  // namespace echoway::tracker

@@ -10,11 +10,11 @@ namespace {
 
 constexpr double kLeastCosine = 0.6;           // Of the sensor's bearing: what is heard beside says little.
 constexpr double kArms = 0.4;                  // Metres: what is nearer goes with the wearer.
-constexpr double kSlowest = 0.2;               // m/s: slower is standing, which stillness() tells,
+constexpr double kSlowest = 0.2;               // m/s: slower tells standing from walking, which stillness() does,
 constexpr double kFastest = 1.7;               // and faster was something else.
 constexpr double kNoise = 0.012;               // Metres, of either range,
 constexpr double kNoisePerMetre = 0.01;        // and as a share of it.
-constexpr double kBob = 0.05;                  // m/s: nobody's speed is the same at each moment of a step.
+constexpr double kBob = 0.05;                  // m/s: a trunk slows down and hurries on with each step.
 constexpr double kAskew = 0.12;                // Radians: the beam's axis is not where the echo comes from.
 constexpr double kSame = 0.75;                 // Of pairs were answered by the same thing twice,
 constexpr double kSpeeds = 0.8;                // the others speak for any speed in so many metres a second.

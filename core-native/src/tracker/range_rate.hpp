@@ -8,7 +8,7 @@
 
 namespace echoway::tracker {
 
-/// How fast the wearer walks, as something tells that they come nearer to.
+/// How fast the wearer walks, by the range rate of whatever stands ahead or behind.
 struct SpeedReading {
   double speed = 0.0;       ///< m/s, along the heading.
   double variance = 0.0;    ///< (m/s)^2, above 0.
@@ -20,7 +20,8 @@ struct SpeedReading {
 [[nodiscard]] std::optional<SpeedReading> speed_by_range_rate(const EchoPair& pair, Vec2 bearing, double pace) noexcept;
 
 /// A walking particle's Gaussian is updated with `share`, above 0 and at most 1, of a reading's evidence, unless that
-/// fits it not at all: then something else has answered. Returns the factor for its weight against those who stand.
+/// lies beyond a gate: then something else has answered. Returns the factor for its weight, which tells walkers of the
+/// right speed from others, and from those who stand, for whom one speed is as likely as another: 0.6 to 1.7.
 [[nodiscard]] double heed(Particle& particle, const SpeedReading& reading, double share) noexcept;
 
 }  // namespace echoway::tracker

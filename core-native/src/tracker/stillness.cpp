@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "echoway/units.hpp"
 #include "tracker/elementary.hpp"
 
 namespace echoway::tracker {

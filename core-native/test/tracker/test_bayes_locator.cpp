@@ -91,7 +91,8 @@ TEST(BayesLocator, ARoomEndsInTheMiddleOfADoorway) {
   EXPECT_NEAR(late, 0.0, 1.0) << "firings";
 }
 
-// Cluttered rooms, people about, ghosts: most echoes come from what the plan does not know.
+// Cluttered rooms, people about, ghosts: most echoes come from what the plan does not know. Of two dozen walks
+// these are those that a model which reckons with less of it follows worse.
 TEST(BayesLocator, HoldsAWearerAmongMoreStrangersThanThingsOfThePlan) {
   const Building building = *load_building(std::string(ECHOWAY_MAPS_DIR) + "/torgersen-lab");
   double mean_m = 0.0;
@@ -100,7 +101,9 @@ TEST(BayesLocator, HoldsAWearerAmongMoreStrangersThanThingsOfThePlan) {
     for (std::uint64_t draws = 0; draws < 3; ++draws) {
       BayesLocator locator(building, walk.scans.belt.apply_to({}), test::start_of(walk, building),
                            {.seed = seed + 1000 * draws});
-      mean_m += follow(locator, building, walk, true).mean_m / 12.0;
+      const double walk_m = follow(locator, building, walk, true).mean_m;
+      EXPECT_LT(walk_m, 0.5) << "walk " << seed << ", draws " << draws;
+      mean_m += walk_m / 12.0;
     }
   }
   EXPECT_LT(mean_m, 0.15) << "metres; a model that reckons with less of it errs by a third more";

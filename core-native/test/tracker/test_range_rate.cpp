@@ -30,6 +30,7 @@ TEST(RangeRate, TellsHowFastTheWearerComesNearer) {
 
 TEST(RangeRate, TellsLessOfWhatIsFarOrToOneSide) {
   const double near = told_by(1.5, 1.0)->variance;
+  EXPECT_GT(near, 0.05 * 0.05) << "a trunk sways with each step, however near things are";
   EXPECT_GT(told_by(6.5, 6.0)->variance, 1.5 * near);
   EXPECT_GT(told_by(1.5, 1.0, degrees(48.0))->variance, 1.5 * near);
 }
@@ -41,9 +42,21 @@ TEST(RangeRate, TellsNothingOfWhatIsBesideTheWearer) {
 
 TEST(RangeRate, TellsNothingWhereNobodyWalks) {
   EXPECT_FALSE(told_by(2.0, 2.0)) << "standing is told elsewhere";
+  EXPECT_FALSE(told_by(2.0, 1.85)) << "who shuffles is as good as standing";
   EXPECT_FALSE(told_by(2.0, 2.5)) << "nobody walks backwards for long";
   EXPECT_FALSE(told_by(5.0, 2.0)) << "too fast for anybody";
   EXPECT_FALSE(told_by(0.8, 0.3)) << "an arm";
+}
+
+TEST(RangeRate, IsFiniteOrNothingForAnyPair) {
+  for (const double seconds : {1e-300, 1e-9, 1.0, 1.5}) {
+    for (const double range : {0.0, 0.5, 10.7, 1e300}) {
+      for (const double before : {0.0, 0.5, 10.7, 1e300}) {
+        const auto told = speed_by_range_rate({seconds, before, range}, {1.0, 0.0}, kPace);
+        EXPECT_TRUE(!told || (std::isfinite(told->speed) && std::isfinite(told->variance) && told->variance > 0.0));
+      }
+    }
+  }
 }
 
 // One who is thought to walk at 0.6 m/s, give or take 0.1, and to have come so far.
@@ -75,6 +88,13 @@ TEST(RangeRate, CountsForAsMuchAsThePlanDoesNotExplain) {
   EXPECT_LT(factor, heed(whole, {0.5, 0.0025}, 1.0));
 }
 
+TEST(RangeRate, LeavesAGaussianHoweverOftenItIsHeard) {
+  Particle p = walker();
+  for (int i = 0; i < 1000; ++i) EXPECT_GT(heed(p, {0.6, 0.0025}, 1.0), 0.0);
+  EXPECT_GT(p.cov.ss, 0.0);
+  EXPECT_GT(p.cov.xx * p.cov.ss - p.cov.xs * p.cov.xs, 0.0);
+}
+
 TEST(RangeRate, OfAnotherThingIsNotTakenForTheWearers) {
   Particle p = walker();
   const double factor = heed(p, {1.4, 0.0025}, 1.0);
@@ -85,7 +105,7 @@ TEST(RangeRate, OfAnotherThingIsNotTakenForTheWearers) {
 
 // A long hall that says nothing of the way along it, cupboards at its end that stand in no plan, and nobody's steps are
 // heard. How far from the truth who walks slowly is at the end, metres.
-double off_after_a_slow_walk(std::uint64_t seed, bool range_rate) {
+double off_after_a_slow_walk(std::uint64_t seed, bool range_rate, bool gyroscope = true) {
   constexpr double kWidth = 2.4, kCupboards = 9.0, kFrom = 2.0, kSpeed = 0.35, kEnds = 12.0;
   Building hall;
   hall.rooms.push_back(test::room_from_outline("hall", {{-30, 0}, {40, 0}, {40, kWidth}, {-30, kWidth}}));
@@ -102,7 +122,7 @@ double off_after_a_slow_walk(std::uint64_t seed, bool range_rate) {
     const bool ahead = std::abs(bearing) < degrees(60.0);
     const bool beside = std::abs(std::abs(bearing) - 0.5 * kPi) < degrees(13.0);
     const double echo = ahead ? (kCupboards - x) / std::cos(bearing) : beside ? 0.5 * kWidth : Firing::kNoEcho;
-    locator.on_motion({time, MotionKind::yaw_rate, 0.0});
+    if (gyroscope) locator.on_motion({time, MotionKind::yaw_rate, 0.0});
     locator.on_firing({time, sensor, ahead || beside ? echo - belt.radius_m : echo});
   }
   return std::abs(locator.estimate().pose.position.x - x);
@@ -115,6 +135,11 @@ TEST(RangeRate, KeepsWhoWalksSlowlyFromRunningAhead) {
     with += off_after_a_slow_walk(seed, true);
   }
   EXPECT_LT(with, 0.7 * without);
+}
+
+TEST(RangeRate, IsNotToldWithoutAGyroscope) {
+  EXPECT_EQ(off_after_a_slow_walk(1, true, false), off_after_a_slow_walk(1, false, false))
+      << "nobody knows whether the sensor looks the same way";
 }
 
 }  // namespace
