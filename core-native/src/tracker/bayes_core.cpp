@@ -29,7 +29,6 @@ constexpr double kShareGain = 1.0 / 24.0;
 constexpr double kCoatRange = 0.5;                // Metres: two passes of nearer echoes come from what covers the belt.
 constexpr double kSurelyUnmapped = 0.6;
 constexpr double kSureEnough = 0.35;              // Metres.
-constexpr double kBeyondArms = 0.40;              // Metres.
 constexpr double kSharp = 1.0;                    // Metres: the standard deviation up to which a place is tracked.
 
 }  // namespace

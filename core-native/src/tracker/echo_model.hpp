@@ -46,6 +46,8 @@ struct EchoModelParameters {
 [[nodiscard]] EchoModelParameters hard_of_hearing(EchoModelParameters parameters);
 /// Echoes from beyond this distance, metres, such a belt does not hear.
 inline constexpr double kHardOfHearingRange = 2.0;
+/// What is nearer, metres, may be an arm, which goes with the wearer.
+inline constexpr double kBeyondArms = 0.40;
 
 /// The parameters for one belt, tabulated for the inner loop.
 class EchoModel {

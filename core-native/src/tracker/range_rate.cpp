@@ -3,13 +3,13 @@
 #include <cmath>
 
 #include "tracker/association.hpp"
+#include "tracker/echo_model.hpp"
 #include "tracker/elementary.hpp"
 
 namespace echoway::tracker {
 namespace {
 
 constexpr double kLeastCosine = 0.6;           // Of the sensor's bearing: what is heard beside says little.
-constexpr double kArms = 0.4;                  // Metres: what is nearer goes with the wearer.
 constexpr double kSlowest = 0.2;               // m/s: slower tells standing from walking, which stillness() does,
 constexpr double kFastest = 1.7;               // and faster was something else.
 constexpr double kNoise = 0.012;               // Metres, of either range,
@@ -24,7 +24,7 @@ constexpr double kEvidence = 0.3;              // Of it counts between particles
 }  // namespace
 
 std::optional<SpeedReading> speed_by_range_rate(const EchoPair& pair, Vec2 bearing, double pace) noexcept {
-  if (!(std::abs(bearing.x) > kLeastCosine) || !(pair.range > kArms)) return {};
+  if (!(std::abs(bearing.x) > kLeastCosine) || !(pair.range > kBeyondArms)) return {};
   const double speed = (pair.before - pair.range) / (pair.seconds * bearing.x);
   if (!(speed > kSlowest && speed < kFastest)) return {};
   const double noise = (kNoise + kNoisePerMetre * pair.range) / (pair.seconds * bearing.x);

@@ -4,6 +4,7 @@
 
 #include "echoway/locate/locator.hpp"
 #include "echoway/sim/simulate.hpp"
+#include "echoway/tracker/bayes_locator.hpp"
 
 namespace echoway::test {
 
@@ -26,6 +27,14 @@ void play(const sim::Simulation& walk, Listener& listener, After&& after, bool h
     listener.on_firing(firing);
     after(i);
   }
+}
+
+/// Where the tracker takes the wearer to be after a walk of which it was told the start.
+inline RoomIndex room_at_the_end(const Building& building, const sim::Walk& walk) {
+  const sim::Simulation simulation = *sim::simulate(building, walk);
+  BayesLocator locator(building, simulation.scans.belt.apply_to({}), start_of(simulation, building), {});
+  play(simulation, locator, [](std::size_t) {});
+  return locator.estimate().room;
 }
 
 }  // namespace echoway::test

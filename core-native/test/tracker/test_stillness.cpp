@@ -9,8 +9,7 @@
 #include "echoway/building/loader.hpp"
 #include "echoway/sim/simulate.hpp"
 #include "echoway/tracker/bayes_locator.hpp"
-#include "echoway/units.hpp"
-#include "tracker/plans.hpp"
+#include "tracker/hall_with_cupboards.hpp"
 #include "tracker/play.hpp"
 
 namespace echoway::tracker {
@@ -38,36 +37,20 @@ TEST(Stillness, IsFiniteForAnyRange) {
   }
 }
 
-// A wearer in the middle of a long hall that says nothing of the way along it, cupboards farther on that stand in no
-// plan, and a phone that counts no steps.
-class HallWithCupboards : public ::testing::Test {
- protected:
-  static constexpr double kWidth = 2.4, kCupboards = 15.0, kFrom = 10.0;
-  static constexpr double kStops = 6.0, kEnds = 9.0;   // Seconds.
-  BeltConfig belt_;
-  Building hall_;
-
-  HallWithCupboards() {
-    hall_.rooms.push_back(test::room_from_outline("hall", {{0, 0}, {40, 0}, {40, kWidth}, {0, kWidth}}));
-  }
-
-  double heard(int sensor, double x) const {
-    const double bearing = wrap_angle(belt_.bearing(sensor));
-    if (std::abs(bearing) < degrees(60.0)) return (kCupboards - x) / std::cos(bearing) - belt_.radius_m;
-    const bool beside = std::abs(std::abs(bearing) - 0.5 * kPi) < degrees(13.0);
-    return beside ? 0.5 * kWidth - belt_.radius_m : Firing::kNoEcho;
-  }
-};
-
-TEST_F(HallWithCupboards, TellsThatTheWearerHasStopped) {
-  BayesLocator locator(hall_, belt_, {.room = 0, .position = Vec2{kFrom, 0.5 * kWidth}, .heading = 0.0}, {});
-  double farthest_on = 0.0, x = kFrom;
+// The phone counts no steps.
+TEST(Stillness, TellsThatTheWearerHasStopped) {
+  constexpr double kFrom = 10.0;
+  constexpr double kStops = 6.0, kEnds = 9.0;   // Seconds.
+  const test::HallWithCupboards hall;
+  const Start start{.room = 0, .position = Vec2{kFrom, 0.5 * hall.kWidth}, .heading = 0.0};
+  BayesLocator locator(hall.plan, hall.belt, start, {});
+  double farthest_on = 0.0;
   for (int i = 0; i * 0.0624 < kEnds; ++i) {
     const double time = i * 0.0624;
-    x = kFrom + kPace * std::min(time, kStops);
-    const int sensor = i % belt_.sensors;
+    const double x = kFrom + kPace * std::min(time, kStops);
+    const int sensor = i % hall.belt.sensors;
     locator.on_motion({time, MotionKind::yaw_rate, 0.0});
-    locator.on_firing({time, sensor, heard(sensor, x)});
+    locator.on_firing({time, sensor, hall.heard(sensor, x)});
     if (time > kStops + 2.0) farthest_on = std::max(farthest_on, locator.estimate().speed_mps);
   }
   EXPECT_LT(farthest_on, 0.15) << "m/s, two seconds after they stopped";
@@ -84,10 +67,7 @@ TEST(Stillness, IsThatOfAnElevatorsRidersAsWell) {
     walk.world = sim::make_world(sim::Profile::furnished);
     walk.add(sim::GoTo{{"1-room-3", {43.0, 58.5}}});
     walk.add(sim::GoTo{{"1-room-3", {46.0, 58.5}}});
-    const auto ride = *sim::simulate(building, walk);
-    BayesLocator locator(building, ride.scans.belt.apply_to({}), test::start_of(ride, building), {});
-    test::play(ride, locator, [](std::size_t) {});
-    EXPECT_EQ(locator.estimate().room, building.find_room("1-room-3")) << "ride " << seed;
+    EXPECT_EQ(test::room_at_the_end(building, walk), building.find_room("1-room-3")) << "ride " << seed;
   }
 }
 
