@@ -91,7 +91,17 @@ TEST(BayesLocator, ARoomEndsInTheMiddleOfADoorway) {
   EXPECT_NEAR(late, 0.0, 1.0) << "firings";
 }
 
-// Cluttered rooms, people about, ghosts: most echoes come from what the plan does not know. Of two dozen walks
+// Cluttered rooms, people about, ghosts.
+TEST(BayesLocator, LosesNobodyAmongPeopleAndClutter) {
+  const Building building = *load_building(std::string(ECHOWAY_MAPS_DIR) + "/torgersen-lab");
+  for (const std::uint64_t seed : {301, 303, 304, 305, 306, 307, 308}) {
+    const auto walk = walk_through(building, seed * 101 + 7, 60.0, sim::Profile::hard);
+    BayesLocator locator(building, walk.scans.belt.apply_to({}), test::start_of(walk, building), {.seed = seed});
+    EXPECT_LT(follow(locator, building, walk, true).mean_m, 1.0) << "walk " << seed;
+  }
+}
+
+// Most echoes come from what the plan does not know there. Of two dozen walks
 // these are those that a model which reckons with less of it follows worse.
 TEST(BayesLocator, HoldsAWearerAmongMoreStrangersThanThingsOfThePlan) {
   const Building building = *load_building(std::string(ECHOWAY_MAPS_DIR) + "/torgersen-lab");
