@@ -8,7 +8,7 @@
 namespace echoway::scene {
 namespace {
 
-constexpr std::size_t kMaxSlots = 2120;
+constexpr std::size_t kMaxSlots = 1390;
 constexpr std::size_t kBytesPerSlot = 1900;   // What the lists of a cell take in a furnished room.
 static_assert(kMaxSlots <= std::numeric_limits<std::int16_t>::max());
 

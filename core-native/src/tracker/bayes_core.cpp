@@ -77,7 +77,7 @@ bool BayesLocator::Core::on_firing(const Firing& firing) {
   for_all_beliefs([&](Population& belief) { thin_out(belief); });
   conclude(firing.time_s);
   remember(record);
-  if (record.echo) repeats_.note(belt_, record.sensor, record.range, last_time_);
+  if (record.echo) repeats_.note(record.sensor, record.range, last_time_);
   const bool certain = estimate_.state == TrackState::tracking && !fit_.doubtful();
   health_.judge(record.sensor, record.echo, record.range, novelty_.progress(), certain ? unmapped_ : 0.0);
   return true;
@@ -123,7 +123,7 @@ void BayesLocator::Core::track(Record& record, const Evidence& evidence) {
   Shot shot = aim(record);
   const bool tracked = record.echo && estimate_.state == TrackState::tracking;
   if (record.echo && options_.parts.repeats) {
-    shot.repeats = repeats_.match(belt_, record.sensor, record.range, last_time_);
+    shot.repeats = repeats_.match(record.sensor, record.range, last_time_);
   }
   Shot remembering = shot;
   // A lost tracker would explain everything by furniture: memory serves only while the plan explains most echoes.

@@ -28,7 +28,6 @@ void BayesLocator::Core::follow_movement(const Interval& interval) {
   const double turned = interval.turn_known ? std::abs(turn) : summary_.turning * dt;
   const double forward = estimate_.speed_mps * dt;
   novelty_.move(std::abs(forward), turned);
-  repeats_.move(forward, turn);
   pairs_.turn(turn);
 }
 

@@ -4,41 +4,40 @@
 #include <span>
 
 #include "echoway/belt/belt.hpp"
-#include "echoway/geometry/pose2.hpp"
+#include "tracker/strangers.hpp"
 
 namespace echoway::tracker {
 
-/// The echo of one sensor's last firing, as something that might answer again.
+/// The last echo of a sensor, which a reading may repeat.
 struct Repeat {
-  int sensor = 0;           ///< Whose last echo it was.
-  double density = 0.0;     ///< Of the range now measured, per metre, if whatever answered then answers now.
+  std::size_t slot = 0;     ///< Under which particles remember it.
+  double sigma = 0.0;       ///< Metres by which the thing that answered may be nearer or farther off by now.
+  double alike = 0.0;       ///< Density of the reading's range, per metre, if the same sensor has it from a thing that
+                            ///< went along with the wearer.
 };
 
-/// What answered a moment ago answers again: a cupboard stands where it stood, an arm swings at the same
-/// distance, a rough wall keeps returning sound from beside the wearer. So a run of echoes from something that
-/// is in no plan is one surprise, not many, and must not outweigh the true place by its number. The newest
-/// echo of every sensor is kept in a frame that moves with the wearer; whether it came from the plan is each
-/// particle's own opinion (Particle::strangers).
+/// What answered a moment ago answers again: a cupboard from where it stood, an arm from the same distance, a rough
+/// wall from beside the wearer all the while. So a run of echoes from something that is in no plan is one surprise, not
+/// many, and must not outweigh the true place by its number. The newest echo of every sensor is kept for two and a half
+/// seconds; where it came from, and whether from the plan, is each particle's own opinion (Strangers).
 class EchoRepeats {
  public:
-  static constexpr std::size_t kMost = 3;
-
-  /// The wearer went `forward` metres and turned by `turn` radians.
-  void move(double forward, double turn) noexcept;
-
-  /// Echoes that may be repeated by one of `range` metres that `sensor` hears at `time_s`.
-  [[nodiscard]] std::span<const Repeat> match(const BeltConfig& belt, int sensor, double range, double time_s) noexcept;
-  void note(const BeltConfig& belt, int sensor, double range, double time_s) noexcept;
+  /// `sensor` (0 ... kMaxSensors - 1) heard an echo from `range` metres at `time_s` seconds.
+  void note(int sensor, double range, double time_s) noexcept;
+  /// What may be repeated by an echo from `range` metres that `sensor` hears at `time_s`.
+  [[nodiscard]] std::span<const Repeat> match(int sensor, double range, double time_s) noexcept;
+  [[nodiscard]] static std::size_t slot_of(int sensor) noexcept {
+    return static_cast<std::size_t>(sensor) % Strangers::kSlots;
+  }
 
  private:
   struct Last {
+    int sensor = 0;
     double time_s = -1e300;
     double range = 0.0;
-    Vec2 at{};              ///< In the moving frame.
   };
-  std::array<Last, kMaxSensors> last_{};
-  std::array<Repeat, kMost> found_{};
-  Pose2 pose_{};
+  std::array<Last, Strangers::kSlots> last_{};
+  std::array<Repeat, Strangers::kSlots> found_{};
 };
 
 }  // namespace echoway::tracker

@@ -67,6 +67,12 @@ namespace echoway::tracker {
 
 inline constexpr double kInvSqrtTwoPi = 0.3989422804014327;
 
+/// Density of a normal distribution, `off` from its mean.
+[[nodiscard]] inline double gaussian(double off, double sigma) noexcept {
+  const double x = off / sigma;
+  return kInvSqrtTwoPi / sigma * fast_exp(-0.5 * x * x);
+}
+
 /// `density` to the power of `share`, 0 ... 1: what evidence weighs of which only a share is new.
 [[nodiscard]] inline double tempered(double density, double share) noexcept {
   return share < 1.0 ? fast_exp(share * fast_log(density)) : density;

@@ -193,8 +193,7 @@ void insert_sorted(ExpectedEchoes& list, const ExpectedEcho& echo) noexcept {
 }
 
 View view_of(const Particle& p, const Shot& shot, const EchoModel& model) noexcept {
-  const Vec2 axis{p.facing.x * shot.bearing.x - p.facing.y * shot.bearing.y,
-                  p.facing.y * shot.bearing.x + p.facing.x * shot.bearing.y};
+  const Vec2 axis = axis_of(p, shot);
   return {p.position + shot.radius * axis, axis, shot.coarse, model};
 }
 

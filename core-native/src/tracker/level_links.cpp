@@ -145,7 +145,7 @@ void LevelLinks::arrive(Particle& p, const End& end, bool turn_known, Random& ra
   p.cov.ss = 0.2 * 0.2;
   p.cov.kk = scale;
   if (led_) stand(p);
-  p.strangers.fill(0);
+  p.strangers.forget();
 }
 
 }  // namespace echoway::tracker

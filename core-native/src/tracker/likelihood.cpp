@@ -10,6 +10,10 @@
 namespace echoway::tracker {
 namespace {
 
+constexpr double kThereAgain = 0.3;             // Chance that what answered once answers again from where it stood,
+constexpr double kBesideAxis2 = 0.96 * 0.96;    // if by this squared cosine or less off the axis: 16 degrees;
+constexpr double kAlikeAgain = 0.15;            // and that it does so from the same distance.
+
 // What a reading tells about a particle.
 struct Hearing {
   Outcome outcome;
@@ -26,8 +30,7 @@ double remembered(const Particle& p, const Shot& shot, const EchoModel& model) n
   double density = 0.0;
   for (const Spot& spot : shot.spots) {
     if (spot.room != p.room) continue;
-    const Vec2 axis{p.facing.x * shot.bearing.x - p.facing.y * shot.bearing.y,
-                    p.facing.y * shot.bearing.x + p.facing.x * shot.bearing.y};
+    const Vec2 axis = axis_of(p, shot);
     const Vec2 way = spot.at - (p.position + shot.radius * axis);
     const double d = std::sqrt(squared_norm(way));
     if (!(dot(way, axis) > 0.0)) continue;
@@ -40,11 +43,24 @@ double remembered(const Particle& p, const Shot& shot, const EchoModel& model) n
   return density;
 }
 
+// Density of the shot's range from a stranger that stands where it answered from.
+double from_its_place(Vec2 stranger, double sigma, Vec2 axis, const Shot& shot) noexcept {
+  const Vec2 way = stranger - shot.radius * axis;
+  const double along = dot(way, axis);
+  const double d2 = squared_norm(way);
+  if (!(along > 0.0 && along * along > kBesideAxis2 * d2)) return 0.0;
+  return kThereAgain * gaussian(shot.range - std::sqrt(d2), sigma);
+}
+
 // Density of the shot's range from what answered a moment ago and is nothing in the plan, as the particle sees it.
 double repeated(const Particle& p, const Shot& shot) noexcept {
+  const Vec2 axis = axis_of(p, shot);
   double density = 0.0;
   for (const Repeat& r : shot.repeats) {
-    density += r.density * (1.0 / 255.0) * p.strangers[static_cast<std::size_t>(r.sensor)];
+    const double chance = p.strangers.chance(r.slot);
+    if (!(chance > 0.0)) continue;
+    const double there = from_its_place(p.strangers.from_here(r.slot), r.sigma, axis, shot);
+    density += chance * (kAlikeAgain * r.alike + there);
   }
   return density;
 }
@@ -103,8 +119,8 @@ Hearing hear(const Particle& p, const Shot& shot, const EchoModel& model, scene:
 
 void note_stranger(Particle& p, const Shot& shot, const Outcome& outcome) noexcept {
   if (!shot.echo) return;
-  const double stranger = std::clamp(1.0 - outcome.mapped, 0.0, 1.0);
-  p.strangers[static_cast<std::size_t>(shot.sensor)] = static_cast<std::uint8_t>(255.0 * stranger);
+  const Vec2 from_here = (shot.radius + shot.range) * axis_of(p, shot);
+  p.strangers.note(EchoRepeats::slot_of(shot.sensor), from_here, 1.0 - outcome.mapped);
 }
 
 }  // namespace

@@ -29,6 +29,12 @@ struct Shot {
   double novelty = 1.0;     ///< Share of the reading that is not said again: its error is worth so much less often.
 };
 
+/// The sensor's direction in the particle's frame.
+[[nodiscard]] inline Vec2 axis_of(const Particle& p, const Shot& shot) noexcept {
+  return {p.facing.x * shot.bearing.x - p.facing.y * shot.bearing.y,
+          p.facing.y * shot.bearing.x + p.facing.x * shot.bearing.y};
+}
+
 /// `bearing`: cos, sin of the sensor's direction on the belt.
 [[nodiscard]] Shot shot_of(const Record& record, const BeltConfig& belt, Vec2 bearing) noexcept;
 

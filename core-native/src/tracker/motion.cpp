@@ -36,7 +36,9 @@ Stride::Stride(const Interval& interval, const MotionParameters& m, double pace)
 void Stride::predict(Particle& p) const noexcept {
   const double dx = p.facing.x * interval_.seconds;
   const double dy = p.facing.y * interval_.seconds;
-  p.position = p.position + Vec2{dx * p.speed, dy * p.speed};
+  const Vec2 step{dx * p.speed, dy * p.speed};
+  p.position = p.position + step;
+  p.strangers.move(step);
   Covariance& c = p.cov;
   c.xx += 2.0 * dx * c.xs + dx * dx * c.ss + sway_variance_;
   c.xy += dx * c.ys + dy * c.xs + dx * dy * c.ss;
@@ -118,6 +120,8 @@ void Stride::advance(Particle& p, Random& random) const noexcept {
   if (p.gait != Gait::away) {
     change_gait(p, random);
     predict(p);
+  } else {
+    p.strangers.move(interval_.seconds * p.speed * p.facing);   // Treads are climbed about as fast.
   }
   p.heading = wrap_near(p.heading);
   const SinCos end = fast_sincos(p.heading);

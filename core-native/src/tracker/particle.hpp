@@ -1,11 +1,10 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 
-#include "echoway/belt/belt.hpp"
 #include "echoway/building/building.hpp"
 #include "echoway/geometry/vec2.hpp"
+#include "tracker/strangers.hpp"
 
 namespace echoway::tracker {
 
@@ -40,8 +39,7 @@ struct Particle {
   double turn_rate = 0.0;    ///< rad/s, when no gyroscope tells.
   double away_s = 0.0;       ///< Seconds since the particle set out on stairs or an elevator,
   std::int32_t link_end = 0; ///< and on which: an end of LevelLinks.
-  /// Per sensor: chance, of 255, that its last echo came from nothing in the plan.
-  std::array<std::uint8_t, kMaxSensors> strangers{};
+  Strangers strangers{};
 };
 
 /// Turns a particle where it stands, with all that it knows, by the angle whose cosine and sine `rotation` holds: into

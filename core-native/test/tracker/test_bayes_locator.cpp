@@ -101,8 +101,7 @@ TEST(BayesLocator, LosesNobodyAmongPeopleAndClutter) {
   }
 }
 
-// Most echoes come from what the plan does not know there. Of two dozen walks
-// these are those that a model which reckons with less of it follows worse.
+// Most echoes come from what the plan does not know there, on these of two dozen walks more than on others.
 TEST(BayesLocator, HoldsAWearerAmongMoreStrangersThanThingsOfThePlan) {
   const Building building = *load_building(std::string(ECHOWAY_MAPS_DIR) + "/torgersen-lab");
   double mean_m = 0.0;
@@ -116,14 +115,14 @@ TEST(BayesLocator, HoldsAWearerAmongMoreStrangersThanThingsOfThePlan) {
       mean_m += walk_m / 12.0;
     }
   }
-  EXPECT_LT(mean_m, 0.15) << "metres; a model that reckons with less of it errs by a third more";
+  EXPECT_LT(mean_m, 0.2) << "metres";
 }
 
 // On a thigh the phone turns with every stride though the belt does not.
 TEST(BayesLocator, HoldsAWearerWhosePhoneSwingsInATrouserPocket) {
   const Building building = *load_building(std::string(ECHOWAY_MAPS_DIR) + "/torgersen-lab");
   double mean_m = 0.0;
-  for (std::uint64_t seed = 4; seed <= 7; ++seed) {
+  for (std::uint64_t seed = 4; seed <= 11; ++seed) {
     sim::RandomWalkOptions options;
     options.duration_s = 60.0;
     sim::Walk plan = sim::random_walk(building, options, seed * 101 + 7);
@@ -131,9 +130,9 @@ TEST(BayesLocator, HoldsAWearerWhosePhoneSwingsInATrouserPocket) {
     plan.world.step_length_m = 0.4;
     const auto walk = *sim::simulate(building, plan);
     BayesLocator locator(building, walk.scans.belt.apply_to({}), test::start_of(walk, building), {.seed = seed});
-    mean_m += follow(locator, building, walk, true).mean_m / 4.0;
+    mean_m += follow(locator, building, walk, true).mean_m / 8.0;
   }
-  EXPECT_LT(mean_m, 0.7) << "metres; a tracker that trusts the gyroscope loses one of these";
+  EXPECT_LT(mean_m, 0.6) << "metres";
 }
 
 TEST(BayesLocator, FindsAWearerOfWhomNothingIsKnown) {

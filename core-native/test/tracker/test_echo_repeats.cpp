@@ -2,48 +2,40 @@
 
 #include <gtest/gtest.h>
 
-#include "echoway/units.hpp"
-
 namespace echoway::tracker {
 namespace {
 
-double density_at(EchoRepeats& repeats, const BeltConfig& belt, int sensor, double range, double time_s) {
-  double sum = 0.0;
-  for (const Repeat& r : repeats.match(belt, sensor, range, time_s)) sum += r.density;
-  return sum;
+TEST(EchoRepeats, ExpectAnArmAtTheSameDistanceOfTheSameSensor) {
+  EchoRepeats repeats;
+  repeats.note(4, 0.25, 0.0);
+  ASSERT_EQ(repeats.match(4, 0.25, 0.94).size(), 1u);
+  EXPECT_GT(repeats.match(4, 0.25, 0.94)[0].alike, 2.5);
+  EXPECT_LT(repeats.match(4, 0.75, 0.94)[0].alike, 0.1) << "half a metre farther off it is something else";
+  EXPECT_EQ(repeats.match(9, 0.25, 0.94)[0].alike, 0.0) << "another sensor looks elsewhere";
 }
 
-TEST(EchoRepeats, ExpectACupboardAheadNearerByTheWayWalked) {
-  const BeltConfig belt;
+TEST(EchoRepeats, AreLessSureOfWhereAThingStandsTheLongerAgoItAnswered) {
   EchoRepeats repeats;
-  repeats.note(belt, 0, 3.0, 0.0);
-  repeats.move(0.5, 0.0);
-  EXPECT_GT(density_at(repeats, belt, 0, 2.5, 0.94), 5.0 * density_at(repeats, belt, 0, 2.0, 0.94));
-}
-
-TEST(EchoRepeats, ExpectAnArmWhereItSwings) {
-  const BeltConfig belt;
-  EchoRepeats repeats;
-  repeats.note(belt, 4, 0.25, 0.0);
-  repeats.move(0.5, 0.0);
-  EXPECT_GT(density_at(repeats, belt, 4, 0.25, 0.94), 0.5);
-  EXPECT_EQ(density_at(repeats, belt, 9, 0.25, 0.94), 0.0) << "another sensor looks elsewhere";
-}
-
-TEST(EchoRepeats, FollowATurnToTheNextSensor) {
-  const BeltConfig belt;
-  EchoRepeats repeats;
-  repeats.note(belt, 1, 2.0, 0.0);
-  repeats.move(0.0, belt.bearing(1));   // What was to the left is now ahead.
-  EXPECT_GT(density_at(repeats, belt, 0, 2.0, 0.9), 0.5);
+  repeats.note(0, 3.0, 0.0);
+  const double soon = repeats.match(0, 3.0, 0.5)[0].sigma;
+  EXPECT_GT(repeats.match(0, 3.0, 2.0)[0].sigma, 1.3 * soon);
 }
 
 TEST(EchoRepeats, ForgetWhatWasHeardLongAgo) {
-  const BeltConfig belt;
   EchoRepeats repeats;
-  repeats.note(belt, 0, 3.0, 0.0);
-  EXPECT_GT(density_at(repeats, belt, 0, 3.0, 1.0), 0.5);
-  EXPECT_EQ(density_at(repeats, belt, 0, 3.0, 10.0), 0.0);
+  repeats.note(0, 3.0, 0.0);
+  EXPECT_EQ(repeats.match(0, 3.0, 2.0).size(), 1u);
+  EXPECT_TRUE(repeats.match(0, 3.0, 10.0).empty());
+}
+
+TEST(EchoRepeats, OfABeltOfManySensorsKeepTheNewestOfThoseThatShareASlot) {
+  EchoRepeats repeats;
+  constexpr int kOther = 3 + static_cast<int>(Strangers::kSlots);
+  repeats.note(3, 1.0, 0.0);
+  repeats.note(kOther, 2.0, 0.5);
+  ASSERT_EQ(repeats.match(kOther, 2.0, 1.0).size(), 1u);
+  EXPECT_GT(repeats.match(kOther, 2.0, 1.0)[0].alike, 2.5);
+  EXPECT_EQ(repeats.match(3, 1.0, 1.0)[0].alike, 0.0);
 }
 
 }  // namespace

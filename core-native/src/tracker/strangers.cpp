@@ -1,0 +1,24 @@
+#include "tracker/strangers.hpp"
+
+#include <algorithm>
+
+namespace echoway::tracker {
+
+void Strangers::turn(Vec2 rotation) noexcept {
+  std::array<Vec2, kSlots> here;
+  for (std::size_t i = 0; i < kSlots; ++i) here[i] = from_here(i);
+  way_ = {};
+  for (std::size_t i = 0; i < kSlots; ++i) put(i, rotation.x * here[i] + rotation.y * perpendicular(here[i]));
+}
+
+void Strangers::note(std::size_t slot, Vec2 from_here, double chance) noexcept {
+  put(slot, from_here);
+  chance_[slot] = static_cast<std::uint8_t>(kSure * std::clamp(chance, 0.0, 1.0));
+}
+
+void Strangers::put(std::size_t slot, Vec2 from_here) noexcept {
+  x_[slot] = static_cast<float>(way_.x + from_here.x);
+  y_[slot] = static_cast<float>(way_.y + from_here.y);
+}
+
+}  // namespace echoway::tracker
