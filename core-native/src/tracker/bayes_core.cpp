@@ -77,7 +77,7 @@ bool BayesLocator::Core::on_firing(const Firing& firing) {
   for_all_beliefs([&](Population& belief) { thin_out(belief); });
   conclude(firing.time_s);
   remember(record);
-  if (record.echo) repeats_.note(record.sensor, record.range, last_time_);
+  if (record.echo && record.trust > 0.0) repeats_.note(record.sensor, record.range, last_time_);
   const bool certain = estimate_.state == TrackState::tracking && !fit_.doubtful();
   health_.judge(record.sensor, record.echo, record.range, novelty_.progress(), certain ? unmapped_ : 0.0);
   return true;

@@ -26,8 +26,7 @@ void BayesLocator::Core::follow_movement(const Interval& interval) {
   const double dt = interval.seconds;
   const double turn = interval.turn_known ? interval.turn_without(summary_.gyro_bias) : summary_.turn_rate * dt;
   const double turned = interval.turn_known ? std::abs(turn) : summary_.turning * dt;
-  const double forward = estimate_.speed_mps * dt;
-  novelty_.move(std::abs(forward), turned);
+  novelty_.move(std::abs(estimate_.speed_mps * dt), turned);
   pairs_.turn(turn);
 }
 

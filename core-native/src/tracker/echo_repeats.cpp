@@ -1,7 +1,5 @@
 #include "tracker/echo_repeats.hpp"
 
-#include <cmath>
-
 #include "tracker/elementary.hpp"
 
 namespace echoway::tracker {

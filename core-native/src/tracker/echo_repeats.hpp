@@ -1,9 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 
-#include "echoway/belt/belt.hpp"
 #include "tracker/strangers.hpp"
 
 namespace echoway::tracker {
@@ -22,7 +22,7 @@ struct Repeat {
 /// seconds; where it came from, and whether from the plan, is each particle's own opinion (Strangers).
 class EchoRepeats {
  public:
-  /// `sensor` (0 ... kMaxSensors - 1) heard an echo from `range` metres at `time_s` seconds.
+  /// `sensor` heard an echo from `range` metres at `time_s` seconds, of which particles have taken a note.
   void note(int sensor, double range, double time_s) noexcept;
   /// What may be repeated by an echo from `range` metres that `sensor` hears at `time_s`.
   [[nodiscard]] std::span<const Repeat> match(int sensor, double range, double time_s) noexcept;

@@ -79,8 +79,8 @@ struct Outcome {
 [[nodiscard]] Outcome weigh(const Particle& particle, const Shot& shot, const EchoModel& model,
                             scene::Scene& scene) noexcept;
 
-/// The same, and an echo updates the particle's Gaussian, see merge(), and is taken down in `strangers`: how likely
-/// nothing in the plan answered.
+/// The same, and an echo updates the particle's Gaussian, see merge(), and is taken down in `strangers`: from where,
+/// and how likely nothing in the plan answered.
 Outcome assimilate(Particle& particle, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept;
 /// For who is followed: see merge_or_choose(). Who is looked for may be at so many places, each of so few particles,
 /// that draws would lose them.

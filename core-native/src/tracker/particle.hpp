@@ -39,7 +39,7 @@ struct Particle {
   double turn_rate = 0.0;    ///< rad/s, when no gyroscope tells.
   double away_s = 0.0;       ///< Seconds since the particle set out on stairs or an elevator,
   std::int32_t link_end = 0; ///< and on which: an end of LevelLinks.
-  Strangers strangers{};
+  Strangers strangers{};     ///< What answered of late and is in no plan.
 };
 
 /// Turns a particle where it stands, with all that it knows, by the angle whose cosine and sine `rotation` holds: into

@@ -9,8 +9,9 @@
 namespace echoway::tracker {
 
 /// What answered the last firings and is in no plan, as one particle sees it: how likely that was so, and where it
-/// stands by the way that the particle has gone since. A map of each particle's own (FastSLAM: Montemerlo et al. 2002)
-/// that reaches back two seconds and is never drawn. A particle that missed a turn has it in the wrong place.
+/// stands by the way that the particle has gone since. A map of each particle's own (FastSLAM: Montemerlo et al. 2002);
+/// a particle that missed a turn has it in the wrong place. When a note is too old is EchoRepeats' to say. Corrections
+/// of the particle's position by echoes are no way gone: what a place was wrong by it was wrong by before.
 class Strangers {
  public:
   /// Sensors share a slot when a belt has more of them; the newest echo counts.
@@ -25,7 +26,7 @@ class Strangers {
 
   /// Something answered `from_here`, metres in the room's frame; 0 ... 1: the chance that it is in no plan.
   void note(std::size_t slot, Vec2 from_here, double chance) noexcept;
-  /// That chance; 0 if nothing is known.
+  /// That chance, to 1/255; 0 if nothing is known.
   [[nodiscard]] double chance(std::size_t slot) const noexcept { return chance_[slot] * (1.0 / kSure); }
   /// Where that is now, metres from the particle in the room's frame.
   [[nodiscard]] Vec2 from_here(std::size_t slot) const noexcept { return Vec2{x_[slot], y_[slot]} - way_; }
@@ -35,7 +36,7 @@ class Strangers {
 
   void put(std::size_t slot, Vec2 from_here) noexcept;
 
-  Vec2 way_{};                              ///< Gone since the room was entered, and where they stand
+  Vec2 way_{};                              ///< Gone since the frame was last turned, and where they stand
   std::array<float, kSlots> x_{}, y_{};     ///< from there. There are thousands of particles, hence short numbers.
   std::array<std::uint8_t, kSlots> chance_{};
 };

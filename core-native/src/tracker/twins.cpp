@@ -24,7 +24,6 @@ std::span<const Vec2> turns_of(const scene::RoomScene& room) noexcept {
 Particle turned_about(Vec2 centre, Vec2 rotation, Particle p) noexcept {
   const Vec2 from = p.position - centre;
   p.position = centre + (rotation.x * from + rotation.y * perpendicular(from));
-  p.strangers.forget();   // What answered from nothing in the plan was told from the other place.
   turn(p, rotation);
   return p;
 }
