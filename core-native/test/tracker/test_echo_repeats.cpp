@@ -25,7 +25,13 @@ TEST(EchoRepeats, ForgetWhatWasHeardLongAgo) {
   EchoRepeats repeats;
   repeats.note(0, 3.0, 0.0);
   EXPECT_EQ(repeats.match(0, 3.0, 2.0).size(), 1u);
-  EXPECT_TRUE(repeats.match(0, 3.0, 10.0).empty());
+  EXPECT_TRUE(repeats.match(0, 3.0, 3.0).empty());
+}
+
+TEST(EchoRepeats, ExpectNothingOfEchoesAfterNowWhenTheClockWasSetBack) {
+  EchoRepeats repeats;
+  repeats.note(0, 3.0, 5.0);
+  EXPECT_TRUE(repeats.match(0, 3.0, 4.5).empty());
 }
 
 TEST(EchoRepeats, OfABeltOfManySensorsKeepTheNewestOfThoseThatShareASlot) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "tracker/motion.hpp"
+#include "tracker/particle.hpp"
+
 namespace echoway::tracker {
 namespace {
 
@@ -43,6 +46,34 @@ TEST(Strangers, KeepTheirPlaceToAMillimetreAfterAWalkOfAKilometre) {
   strangers.note(1, {2.0, 1.0}, 1.0);
   EXPECT_NEAR(strangers.from_here(1).x, 2.0, kMillimetre);
   EXPECT_NEAR(strangers.from_here(1).y, 1.0, kMillimetre);
+}
+
+class WayOfAStranger : public ::testing::TestWithParam<Gait> {};
+
+TEST_P(WayOfAStranger, IsThatOfWhoWalksOrClimbs) {
+  Particle p;
+  p.gait = GetParam();
+  p.speed = 0.4;
+  p.strangers.note(0, {3.0, 1.0}, 1.0);
+  const MotionParameters motion;
+  Interval half_a_second;
+  half_a_second.seconds = 0.5;
+  half_a_second.turn_known = true;
+  Random random(2);
+  Stride(half_a_second, motion, 0.4).advance(p, random);
+  constexpr double kAskew = 0.02;   // Metres: nobody turns here but by the gyroscope's noise.
+  EXPECT_NEAR(p.strangers.from_here(0).x, 2.8, kAskew);
+  EXPECT_NEAR(p.strangers.from_here(0).y, 1.0, kAskew);
+}
+
+INSTANTIATE_TEST_SUITE_P(Gaits, WayOfAStranger, ::testing::Values(Gait::walking, Gait::away));
+
+TEST(Strangers, TurnWithTheParticleThatEntersARoomDrawnOtherwise) {
+  Particle p;
+  p.strangers.note(0, {2.0, 0.0}, 1.0);
+  turn(p, {0.0, 1.0});
+  EXPECT_NEAR(p.strangers.from_here(0).x, 0.0, kMillimetre);
+  EXPECT_NEAR(p.strangers.from_here(0).y, 2.0, kMillimetre) << "still straight ahead";
 }
 
 }  // namespace
