@@ -67,8 +67,7 @@ BayesLocator::Core::Core(const Building& building, const BeltConfig& belt, const
       mapped_share_(kUsuallyMapped),
       log_scale_sigma_(motion_.scale_sigma) {
   for (int i = 0; i < belt.sensors; ++i) {
-    const double b = belt.bearing(i);
-    bearings_[static_cast<std::size_t>(i)] = {std::cos(b), std::sin(b)};
+    bearings_[static_cast<std::size_t>(i)] = unit_from_angle(belt.bearing(i));
   }
   begin();
 }

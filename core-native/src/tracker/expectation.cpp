@@ -117,7 +117,7 @@ bool see_all_reflective(const Reflector& r, const View& view, Sighting& seen) no
   }
   bool found = false;
   for (const double sine : {view.model.half_beam_sine(), -view.model.half_beam_sine()}) {
-    const Vec2 ray{cosine * view.axis.x - sine * view.axis.y, sine * view.axis.x + cosine * view.axis.y};
+    const Vec2 ray = rotated(view.axis, {cosine, sine});
     found = see_at_beam_edge(r, view, ray, found, seen);
   }
   return found;

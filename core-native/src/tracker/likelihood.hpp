@@ -31,8 +31,7 @@ struct Shot {
 
 /// The sensor's direction in the particle's frame.
 [[nodiscard]] inline Vec2 axis_of(const Particle& p, const Shot& shot) noexcept {
-  return {p.facing.x * shot.bearing.x - p.facing.y * shot.bearing.y,
-          p.facing.y * shot.bearing.x + p.facing.x * shot.bearing.y};
+  return rotated(shot.bearing, p.facing);
 }
 
 /// `bearing`: cos, sin of the sensor's direction on the belt.

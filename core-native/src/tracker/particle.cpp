@@ -9,7 +9,7 @@ namespace echoway::tracker {
 void turn(Particle& p, Vec2 rotation) noexcept {
   const Vec2 r = rotation;
   p.heading = wrap_near(p.heading + std::atan2(r.y, r.x));
-  p.facing = r.x * p.facing + r.y * perpendicular(p.facing);
+  p.facing = rotated(p.facing, r);
   p.strangers.turn(r);
   Covariance& c = p.cov;
   const double xx = c.xx, xy = c.xy, yy = c.yy, xs = c.xs, ys = c.ys, xk = c.xk, yk = c.yk;

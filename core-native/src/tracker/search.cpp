@@ -199,7 +199,7 @@ bool Search::beats_belief() const noexcept {
 
 double Search::log_likelihood(const SearchTools& tools, const Leg& leg, const SinCos& facing, double heading) noexcept {
   Offset offset;
-  offset.per_speed = {facing.cos * leg.way.x - facing.sin * leg.way.y, facing.sin * leg.way.x + facing.cos * leg.way.y};
+  offset.per_speed = rotated(leg.way, {facing.cos, facing.sin});
   offset.moved = tools.motion.start_speed * offset.per_speed;
   offset.speed_variance = tools.motion.start_speed_sigma * tools.motion.start_speed_sigma;
   offset.variance = kCellSigma * kCellSigma * spacing_ * spacing_ + tools.motion.sway * tools.motion.sway * leg.seconds;

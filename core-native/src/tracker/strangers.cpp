@@ -8,7 +8,7 @@ void Strangers::turn(Vec2 rotation) noexcept {
   std::array<Vec2, kSlots> here;
   for (std::size_t i = 0; i < kSlots; ++i) here[i] = from_here(i);
   way_ = {};
-  for (std::size_t i = 0; i < kSlots; ++i) put(i, rotation.x * here[i] + rotation.y * perpendicular(here[i]));
+  for (std::size_t i = 0; i < kSlots; ++i) put(i, rotated(here[i], rotation));
 }
 
 void Strangers::note(std::size_t slot, Vec2 from_here, double chance) noexcept {

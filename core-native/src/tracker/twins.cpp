@@ -23,7 +23,7 @@ std::span<const Vec2> turns_of(const scene::RoomScene& room) noexcept {
 // With the room, about its centre.
 Particle turned_about(Vec2 centre, Vec2 rotation, Particle p) noexcept {
   const Vec2 from = p.position - centre;
-  p.position = centre + (rotation.x * from + rotation.y * perpendicular(from));
+  p.position = centre + rotated(from, rotation);
   p.strangers.forget();   // Or nothing would surprise a twin: what it cannot explain would just answer again.
   turn(p, rotation);
   return p;

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "tracker/plans.hpp"
 
 namespace echoway::tracker {
@@ -21,12 +19,15 @@ class LikelihoodTest : public ::testing::Test {
     before_wall_.cov.kk = 1e-6;
   }
 
-  Shot heard_at(double metres) const {
+  Shot heard_by(int sensor, double metres) const {
     Record record;
+    record.sensor = sensor;
     record.echo = true;
     record.range = metres;
-    return shot_of(record, belt_, {1.0, 0.0});
+    return shot_of(record, belt_, unit_from_angle(belt_.bearing(sensor)));
   }
+
+  Shot heard_at(double metres) const { return heard_by(0, metres); }
 
   BeltConfig belt_;
   Building hall_;
@@ -68,18 +69,9 @@ class CupboardTest : public LikelihoodTest {
  protected:
   CupboardTest() { assimilate(before_wall_, heard_by(1, 0.8), model_, scene_); }
 
-  Shot heard_by(int sensor, double metres) const {
-    Record record;
-    record.sensor = sensor;
-    record.echo = true;
-    record.range = metres;
-    const double b = belt_.bearing(sensor);
-    return shot_of(record, belt_, {std::cos(b), std::sin(b)});
-  }
-
   double density(Particle p, double turned, double walked, int sensor, double metres) {
     p.heading += turned;
-    p.facing = {std::cos(p.heading), std::sin(p.heading)};
+    p.facing = unit_from_angle(p.heading);
     p.strangers.move(walked * p.facing);
     Shot shot = heard_by(sensor, metres);
     const Repeat again{EchoRepeats::slot_of(1), 0.1, 0.0};
