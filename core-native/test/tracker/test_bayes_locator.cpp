@@ -94,7 +94,7 @@ TEST(BayesLocator, ARoomEndsInTheMiddleOfADoorway) {
 // Cluttered rooms, people about, ghosts.
 TEST(BayesLocator, LosesNobodyAmongPeopleAndClutter) {
   const Building building = *load_building(std::string(ECHOWAY_MAPS_DIR) + "/torgersen-lab");
-  for (const std::uint64_t seed : {301, 303, 304, 305, 306, 307, 308}) {
+  for (std::uint64_t seed = 301; seed <= 308; ++seed) {
     const auto walk = walk_through(building, seed * 101 + 7, 60.0, sim::Profile::hard);
     BayesLocator locator(building, walk.scans.belt.apply_to({}), test::start_of(walk, building), {.seed = seed});
     EXPECT_LT(follow(locator, building, walk, true).mean_m, 1.0) << "walk " << seed;
@@ -115,7 +115,7 @@ TEST(BayesLocator, HoldsAWearerAmongMoreStrangersThanThingsOfThePlan) {
       mean_m += walk_m / 12.0;
     }
   }
-  EXPECT_LT(mean_m, 0.2) << "metres";
+  EXPECT_LT(mean_m, 0.15) << "metres";
 }
 
 // On a thigh the phone turns with every stride though the belt does not.
@@ -134,7 +134,7 @@ TEST(BayesLocator, HoldsAWearerWhosePhoneSwingsInATrouserPocket) {
     EXPECT_LT(walk_m, 2.0) << "walk " << seed;
     mean_m += walk_m / 8.0;
   }
-  EXPECT_LT(mean_m, 0.6) << "metres";
+  EXPECT_LT(mean_m, 0.4) << "metres";
 }
 
 TEST(BayesLocator, FindsAWearerOfWhomNothingIsKnown) {
