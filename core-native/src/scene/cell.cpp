@@ -11,6 +11,8 @@
 namespace echoway::scene {
 namespace {
 
+// Occluders that are ruled out together: walls that follow each other in a plan stand side by side.
+constexpr std::size_t kTogether = 8;
 // Numbers of occluders that the lists of a cell's entries may take, apart from one of all.
 constexpr std::size_t kMaxListed = 8192;
 
@@ -80,6 +82,7 @@ std::uint32_t sectors_near(const Arc& arc, double reach) noexcept {
 }  // namespace
 
 CellScratch::CellScratch(std::size_t reflectors, std::size_t occluders) {
+  bounds_.reserve(occluders / kTogether + 1);
   reaches_.reserve(reflectors);
   between_.reserve(occluders);
   entries_.reserve(reflectors);
@@ -93,7 +96,8 @@ std::size_t CellScratch::largest_cell() const noexcept {
 }
 
 std::size_t CellScratch::memory() const noexcept {
-  return largest_cell() + reaches_.capacity() * sizeof(Reach) + between_.capacity() * sizeof(std::uint16_t);
+  return largest_cell() + bounds_.capacity() * sizeof(Bounds) + reaches_.capacity() * sizeof(Reach) +
+         between_.capacity() * sizeof(std::uint16_t);
 }
 
 class CellCompiler {
@@ -103,6 +107,7 @@ class CellCompiler {
 
   Cell compile() noexcept {
     Cell cell;
+    bound_occluders();
     list_entries();
     list_sectors(cell);
     cell.entries = scratch_.entries_;
@@ -112,6 +117,15 @@ class CellCompiler {
   }
 
  private:
+  void bound_occluders() noexcept {
+    scratch_.bounds_.assign((room_.occluders.size() + kTogether - 1) / kTogether, {});
+    for (std::size_t k = 0; k < room_.occluders.size(); ++k) {
+      Bounds& bounds = scratch_.bounds_[k / kTogether];
+      bounds.include(room_.occluders[k].a);
+      bounds.include(room_.occluders[k].b);
+    }
+  }
+
   bool shows_through_its_door(const Candidate& c, const Hull& ways) const noexcept {
     const Reflector& r = room_.reflectors[c.reflector];
     if (r.opening < 0) return true;
@@ -137,18 +151,22 @@ class CellCompiler {
   bool find_between(const Candidate& c, const Hull& ways) noexcept {
     const Reflector& r = room_.reflectors[c.reflector];
     const bool mirrored = r.kind == ReflectorKind::mirrored_corner;
-    const bool hideable = !mirrored && r.kind != ReflectorKind::all_reflective;
+    const bool hideable = r.kind != ReflectorKind::all_reflective;
     Bounds reach;
     for (Vec2 p : {box_[0], box_[2], c.feet.a, c.feet.b}) reach.include(p);
     if (mirrored) reach.include(r.b);
     const Hull from_mirror = mirrored ? ways_from_mirror(c.feet, r) : ways;
     scratch_.between_.clear();
-    for (std::size_t k = 0; k < room_.occluders.size(); ++k) {
-      const Segment& s = room_.occluders[k];
-      if (static_cast<std::int16_t>(k) == r.own_index || reach.misses(s)) continue;
-      if (!ways.may_touch(s) && !(mirrored && from_mirror.may_touch(s))) continue;
-      if (hideable && blocks_all(s, box_, c.feet)) return false;
-      scratch_.between_.push_back(static_cast<std::uint16_t>(k));
+    for (std::size_t begin = 0; begin < room_.occluders.size(); begin += kTogether) {
+      if (reach.misses(scratch_.bounds_[begin / kTogether])) continue;
+      const std::size_t end = std::min(begin + kTogether, room_.occluders.size());
+      for (std::size_t k = begin; k < end; ++k) {
+        const Segment& s = room_.occluders[k];
+        if (static_cast<std::int16_t>(k) == r.own_index || reach.misses(s)) continue;
+        if (!ways.may_touch(s) && !(mirrored && from_mirror.may_touch(s))) continue;
+        if (hideable && blocks_all(s, box_, c.feet)) return false;
+        scratch_.between_.push_back(static_cast<std::uint16_t>(k));
+      }
     }
     return true;
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/candidate.hpp"
+#include "scene/visibility.hpp"
 
 namespace echoway::scene {
 
@@ -48,6 +49,7 @@ class CellScratch {
     std::uint32_t coarse = 0;
   };
 
+  std::vector<Bounds> bounds_;           ///< Of the room's occluders, some at a time.
   std::vector<Reach> reaches_;
   std::vector<std::uint16_t> between_;
   std::vector<Cell::Entry> entries_;

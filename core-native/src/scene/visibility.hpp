@@ -110,6 +110,9 @@ struct Bounds : echoway::Box {
     const int below = std::max(s.a.y, s.b.y) < low.y, above = std::min(s.a.y, s.b.y) > high.y;
     return (left | right | below | above) != 0;
   }
+  [[nodiscard]] bool misses(const Bounds& other) const noexcept {
+    return other.high.x < low.x || other.low.x > high.x || other.high.y < low.y || other.low.y > high.y;
+  }
 };
 
 /// True when the open way from `p` to `q` properly crosses `s`.
