@@ -71,7 +71,7 @@ bench: core bench-app ## Error against run time (docs/error-against-run-time.md)
 
 TRACKER_FIGURES := $(BUILD)/tracker-figures.csv
 .PHONY: tracker-figures
-tracker-figures: core ## The tracker on many walks: the table of docs/tracker.md (two minutes)
+tracker-figures: core ## The tracker on many walks: the table of docs/tracker.md (five minutes)
 	@scripts/tracker_figures.sh $(BUILD)/bin/echoway_eval $(TRACKER_FIGURES)
 	@$(PYTHON) scripts/tracker_figures.py $(TRACKER_FIGURES) docs/tracker.md
 

@@ -7,6 +7,8 @@
 namespace echoway::scene {
 namespace {
 
+constexpr std::size_t kEmptyCell = 8;   // Occluders that take as long to list as a cell of which nothing is heard.
+
 std::vector<RoomScene> compile_audible(const Building& building, const SightLimits& limits) {
   const RoomCompiler compiler(building, limits.max_range, kCellSize);
   std::vector<RoomScene> rooms;
@@ -47,8 +49,9 @@ const Cell& Scene::compile(const RoomScene& room, int column, int row) noexcept 
                          static_cast<std::size_t>(column);
   const double size = room.cell_size;
   const Vec2 low = room.grid_origin + Vec2{column * size, row * size};
-  ++cells_compiled_;
-  return cells_.put(id, compile_cell(room, low, low + Vec2{size, size}, limits_, scratch_));
+  const Cell cell = compile_cell(room, low, low + Vec2{size, size}, limits_, scratch_);
+  compile_work_ += kEmptyCell + cell.occluders.size();
+  return cells_.put(id, cell);
 }
 
 std::size_t Scene::memory() const noexcept {

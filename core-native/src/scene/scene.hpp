@@ -33,8 +33,8 @@ class Scene {
     return cell != nullptr ? *cell : compile(r, column, row);
   }
 
-  /// Cells compiled so far, those compiled again included.
-  [[nodiscard]] std::size_t cells_compiled() const noexcept { return cells_compiled_; }
+  /// What compiling cells has taken so far, those compiled again included: about so many occluders were listed.
+  [[nodiscard]] std::size_t compile_work() const noexcept { return compile_work_; }
 
   /// Bytes held.
   [[nodiscard]] std::size_t memory() const noexcept;
@@ -46,7 +46,7 @@ class Scene {
   SightLimits limits_;
   CellScratch scratch_;
   CellStore cells_;
-  std::size_t cells_compiled_ = 0;
+  std::size_t compile_work_ = 0;
 };
 
 }  // namespace echoway::scene

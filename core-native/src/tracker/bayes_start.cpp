@@ -139,12 +139,12 @@ void BayesLocator::Core::describe_ignorance() {
 }
 
 void BayesLocator::Core::start_first_search() {
-  const std::uint64_t now = history_.end();
-  const auto pass = static_cast<std::uint64_t>(std::clamp(belt_.sensors, 8, 24));
-  if (now < pass || echoes_since(now - pass) < kFewestEchoes) return;
-  hearing_test_ = HearingTest::due;
   SearchDomain domain;
   if (start_.room) domain.only_room = *start_.room;
+  const std::uint64_t now = history_.end();
+  const std::uint64_t window = search_.firings_to_tell(domain, belt_.sensors);
+  if (now < window || echoes_since(now - window) < kFewestEchoes) return;
+  hearing_test_ = HearingTest::due;
   // A start in a wall or outside its room is wrong, but most often not by much.
   if (start_.room && start_.position && is_finite(*start_.position)) {
     domain.near_room = *start_.room;
@@ -157,7 +157,7 @@ void BayesLocator::Core::start_first_search() {
   }
   domain.heading_sigma = kStartHeadingSigma;
   model_ = seems_hard_of_hearing(domain.only_room) ? &deafened_ : &keen_;
-  search_.start(domain, now - pass, now);
+  search_.start(domain, now - window, now);
 }
 
 }  // namespace echoway

@@ -29,7 +29,8 @@ const Panorama::Sight& Panorama::towards(double angle, double radius, const Echo
   Shot shot;
   shot.radius = radius;
   shot.coarse = true;
-  sight.echoes = expect(p, shot, model, scene);
+  // The cell of the place itself serves for the belt around it, too: a search is coarse, and cells take time.
+  sight.echoes = expect_from(scene.cell_at(room_, position_), scene.room(room_), p, shot, model);
   sight.silence = 1.0;
   for (int j = 0; j < sight.echoes.count; ++j) {
     sight.silence *= 1.0 - sight.echoes.echo[static_cast<std::size_t>(j)].chance;

@@ -64,7 +64,8 @@ void Refinement::begin(std::uint64_t first, bool modes) noexcept {
   log_evidence_ = 0.0;
 }
 
-bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budget, std::size_t cell_cost) noexcept {
+bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budget,
+                      std::size_t compiled_per_replay) noexcept {
   spent_ = 0;
   while (spent_ < budget) {
     if (cursor_ == 0) {
@@ -77,9 +78,9 @@ bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budg
     for (std::size_t i = 0; i < firings; ++i) round[i] = past_of(reached_ + i, first_, tools);
     const auto particles = population_.particles();
     for (; cursor_ < particles.size() && spent_ < budget; ++cursor_) {
-      const std::size_t compiled = tools.scene.cells_compiled();
+      const std::size_t compiled = tools.scene.compile_work();
       for (std::size_t i = 0; i < firings; ++i) replay(particles[cursor_], round[i], tools, random);
-      spent_ += firings + cell_cost * (tools.scene.cells_compiled() - compiled);
+      spent_ += firings + (tools.scene.compile_work() - compiled) / compiled_per_replay;
     }
     if (cursor_ < particles.size()) return false;
     close_round(tools, random);

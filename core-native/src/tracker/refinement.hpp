@@ -39,9 +39,9 @@ class Refinement {
   void begin(std::uint64_t first, bool modes) noexcept;
   [[nodiscard]] Population& population() noexcept { return population_; }
 
-  /// Replays about `budget` firings of single particles, or fewer where cells must first be compiled, each of which
-  /// costs as much as `cell_cost` of them. True when all particles have heard everything.
-  bool work(const SearchTools& tools, Random& random, std::size_t budget, std::size_t cell_cost) noexcept;
+  /// Replays about `budget` firings of single particles, or fewer where cells must first be compiled: of that, so many
+  /// as `compiled_per_replay` (Scene::compile_work) cost as much as one. True when all particles have heard everything.
+  bool work(const SearchTools& tools, Random& random, std::size_t budget, std::size_t compiled_per_replay) noexcept;
 
   /// What the last slice cost, in firings of single particles.
   [[nodiscard]] std::size_t spent() const noexcept { return spent_; }

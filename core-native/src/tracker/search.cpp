@@ -31,6 +31,20 @@ Search::Search(const scene::Scene& scene, const Parameters& parameters)
   const auto spacing_for = [&](double candidates) { return std::sqrt(area_ * headings / candidates); };
   spacing_ = std::clamp(spacing_for(parameters_.few_candidates), parameters_.closest_spacing, parameters_.spacing);
   spacing_ = std::max(spacing_, spacing_for(static_cast<double>(parameters_.most_candidates)));
+  slice_ = std::clamp(area_ / parameters_.usual_area, 1.0, parameters_.largest_slice);
+}
+
+// Of many more places more fit a pass by chance.
+std::uint64_t Search::firings_to_tell(const SearchDomain& domain, int sensors) const noexcept {
+  constexpr int kFewest = 8;
+  constexpr int kMost = static_cast<int>(kMostSwept);
+  return static_cast<std::uint64_t>(is_large(domain) ? kMost : std::clamp(sensors, kFewest, kMost));
+}
+
+std::size_t Search::budget() const noexcept {
+  if (domain_.near_heading) return parameters_.local_budget;
+  const std::size_t usual = domain_.near_room == kNoRoom ? parameters_.budget : parameters_.second_budget;
+  return is_large(domain_) ? static_cast<std::size_t>(slice_ * static_cast<double>(usual)) : usual;
 }
 
 void Search::start(SearchDomain domain, std::uint64_t begin, std::uint64_t end) noexcept {
@@ -253,13 +267,13 @@ bool Search::work(const SearchTools& tools, Random& random) noexcept {
       return false;
     }
     ++tried_;
-    const std::size_t compiled = tools.scene.cells_compiled();
+    const std::size_t compiled = tools.scene.compile_work();
     spent += try_candidate(tools, position, heading);
-    spent += parameters_.cell_cost * (tools.scene.cells_compiled() - compiled);
+    spent += parameters_.compile_cost * (tools.scene.compile_work() - compiled);
   }
   if (phase_ != Phase::refining || spent >= budget()) return false;
   const std::size_t replays = (budget() - spent) / parameters_.replay_cost + 1;
-  if (!refinement_.work(tools, random, replays, parameters_.cell_cost / parameters_.replay_cost)) return false;
+  if (!refinement_.work(tools, random, replays, parameters_.replay_cost / parameters_.compile_cost)) return false;
   // Taking over what was found costs a firing's time as well: it waits for one with little left to catch up with.
   const std::size_t a_firing = refinement_.population().size();
   if (refinement_.spent() > a_firing) return false;

@@ -54,8 +54,10 @@ class Search {
     std::size_t local_budget = 20000;    ///< and of a search that only looks about it.
     std::size_t look_cost = 8;           ///< ... of which a direction that must first be worked out costs so many,
     std::size_t replay_cost = 8;         ///< a firing that is replayed exactly
-    std::size_t cell_cost = 800;         ///< and a cell that must first be compiled.
+    std::size_t compile_cost = 4;        ///< and an occluder listed for a cell that must first be compiled.
     std::size_t most_candidates = 1500000;
+    double usual_area = 1000.0;          ///< Square metres. A larger building is searched in slices that grow with it,
+    double largest_slice = 4.0;          ///< to so many times the usual ones: nobody shall wait a minute.
   };
 
   Search(const scene::Scene& scene, const Parameters& parameters);
@@ -75,6 +77,9 @@ class Search {
   [[nodiscard]] const SearchDomain& domain() const noexcept { return domain_; }
   /// Of the building's rooms, square metres.
   [[nodiscard]] double area() const noexcept { return area_; }
+  /// Firings that tell the domain's places apart when nothing is known of them: a pass of `sensors`; of all of a large
+  /// building, more.
+  [[nodiscard]] std::uint64_t firings_to_tell(const SearchDomain& domain, int sensors) const noexcept;
   [[nodiscard]] bool is_local() const noexcept { return domain_.within.has_value(); }
   /// Log of the mean likelihood of the window's firings (up to the present) over the whole domain.
   [[nodiscard]] double log_evidence() const noexcept { return log_evidence_; }
@@ -95,6 +100,10 @@ class Search {
   /// Whose heading is known, or about where they are, is not taken for somebody at the room's other end; nor are the
   /// places beyond stairs, of which most are alike, kept in mind for long.
   [[nodiscard]] bool looks_all_over() const noexcept { return !is_local() && !heading_is_known(); }
+  /// Whether it is all of a large building.
+  [[nodiscard]] bool is_large(const SearchDomain& domain) const noexcept {
+    return slice_ > 1.0 && domain.only_room == kNoRoom && !domain.within;
+  }
   [[nodiscard]] bool next_candidate(const SearchTools& tools, Vec2& position, double& heading) noexcept;
   void enter_room(const SearchTools& tools) noexcept;
   [[nodiscard]] bool reachable(const SearchTools& tools) const noexcept;
@@ -125,7 +134,7 @@ class Search {
   [[nodiscard]] std::size_t to_draw() const noexcept {
     if (is_local()) return parameters_.refined_locally;
     if (heading_is_known()) return parameters_.refined_facing;
-    return domain_.thorough ? parameters_.refined_thoroughly : parameters_.refined;
+    return domain_.thorough || is_large(domain_) ? parameters_.refined_thoroughly : parameters_.refined;
   }
   [[nodiscard]] double heading_cell() const noexcept {
     return heading_is_known() ? domain_.heading_sigma : parameters_.heading_step;
@@ -133,13 +142,11 @@ class Search {
   void finish(const SearchTools& tools) noexcept;
   [[nodiscard]] double log_prior(const Particle& particle, const Building& building) const noexcept;
 
-  [[nodiscard]] std::size_t budget() const noexcept {
-    if (domain_.near_room == kNoRoom) return parameters_.budget;
-    return domain_.near_heading ? parameters_.local_budget : parameters_.second_budget;
-  }
+  [[nodiscard]] std::size_t budget() const noexcept;
 
   Parameters parameters_;
   double spacing_ = 0.0;
+  double slice_ = 1.0;                   ///< Of a search of everywhere, as a multiple of the usual one.
   double area_ = 0.0;                    ///< Of the building's rooms, square metres.
   Phase phase_ = Phase::idle;
   SearchDomain domain_;
