@@ -69,11 +69,13 @@ bench: core bench-app ## Error against run time (docs/error-against-run-time.md)
 	@$(PYTHON) scripts/plot_error_against_time.py $(BUILD)/error-against-run-time.csv --building $(BENCH_MAP) \
 	    --plot docs/images/error-against-run-time.png --page docs/error-against-run-time.md
 
-TRACKER_FIGURES := $(BUILD)/tracker-figures.csv
+TRACKER_FIGURES := $(BUILD)/tracker-figures
 .PHONY: tracker-figures
-tracker-figures: core ## The tracker on many walks: the table of docs/tracker.md (five minutes)
-	@scripts/tracker_figures.sh $(BUILD)/bin/echoway_eval $(TRACKER_FIGURES)
-	@$(PYTHON) scripts/tracker_figures.py $(TRACKER_FIGURES) docs/tracker.md
+tracker-figures: core ## The tracker on many walks in two worlds: the tables of docs/tracker.md (ten minutes)
+	@scripts/tracker_figures.sh $(BUILD)/bin/echoway_eval waves $(TRACKER_FIGURES)-waves.csv
+	@scripts/tracker_figures.sh $(BUILD)/bin/echoway_eval rays $(TRACKER_FIGURES)-rays.csv
+	@$(PYTHON) scripts/tracker_figures.py $(TRACKER_FIGURES)-waves.csv docs/tracker.md figures
+	@$(PYTHON) scripts/tracker_figures.py $(TRACKER_FIGURES)-rays.csv docs/tracker.md rays
 
 LEFT_OUT := $(BUILD)/left-out.json
 .PHONY: leaving-out

@@ -1,4 +1,4 @@
-"""Puts the table that `tracker_figures.sh` writes into a page, between the lines that say so: tracker_figures.py CSV PAGE.md"""
+"""Puts the table that `tracker_figures.sh` writes into a page, between the lines that say so: tracker_figures.py CSV PAGE.md SECTION"""
 
 import itertools
 import sys
@@ -46,9 +46,9 @@ def figures(rows):
 
 
 def main():
-    table, page = map(Path, sys.argv[1:])
+    table, page, section = Path(sys.argv[1]), Path(sys.argv[2]), sys.argv[3]
     text = figures(tables.read(table))
-    page.write_text(pages.put(page.read_text(encoding="utf-8"), "figures", "tracker-figures", text), encoding="utf-8")
+    page.write_text(pages.put(page.read_text(encoding="utf-8"), section, "tracker-figures", text), encoding="utf-8")
 
 
 main()

@@ -15,6 +15,7 @@
 #include "echoway/building/loader.hpp"
 #include "echoway/sim/random_walk.hpp"
 #include "echoway/sim/simulate.hpp"
+#include "rays/walk.hpp"
 #include "report/context.hpp"
 #include "report/following.hpp"
 #include "report/table.hpp"
@@ -37,6 +38,7 @@ struct Options {
   double cover = 0.0;
   double teleport = 0.0;
   double seconds = 80.0;
+  std::string world = "waves";
   bool no_hints = false;
   bool unknown = false;
   bool head = false;
@@ -63,7 +65,11 @@ sim::Simulation walk_through(const Building& building, const Options& o, std::ui
   walk.cover_probability = o.cover;
   walk.duration_s = o.seconds;
   walk.profile = *sim::profile_of(o.profile);
-  return expect(sim::simulate(building, sim::random_walk(building, walk, seed * 101 + 7)));
+  sim::Simulation simulation = expect(sim::simulate(building, sim::random_walk(building, walk, seed * 101 + 7)));
+  if (o.world == "waves") return simulation;
+  const auto elsewhere = [&](const Room& room) { return room.level != building.rooms.front().level; };
+  if (std::ranges::any_of(building.rooms, elsewhere)) throw std::runtime_error("rays know one level, no more");
+  return rays::heard_by_rays(building, simulation, seed);
 }
 
 // Seconds until the place was right for three seconds in a row; -1: never.
@@ -128,6 +134,9 @@ int main(int argc, char** argv) {
   app.add_option("--speed", o.pace_mps, "m/s")->check(CLI::Range(0.1, 3.0))->capture_default_str();
   app.add_option("--profile", o.profile, "Of the simulated world")
       ->check(CLI::IsMember({"empty", "furnished", "hard"}))
+      ->capture_default_str();
+  app.add_option("--world", o.world, "The simulator's, of waves, or the plainer one of rays for buildings of one level")
+      ->check(CLI::IsMember({"waves", "rays"}))
       ->capture_default_str();
   app.add_option("--teleport", o.teleport, "Probability of being carried off at each goal")
       ->check(CLI::Range(0.0, 1.0));
