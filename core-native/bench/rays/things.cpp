@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <utility>
 
 #include "echoway/building/opening.hpp"
 #include "echoway/geometry/box.hpp"

@@ -1,6 +1,7 @@
 #include "rays/walk.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "rays/world.hpp"

@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
-#include "echoway/belt/belt.hpp"
-
 namespace echoway::rays {
 namespace {
 
