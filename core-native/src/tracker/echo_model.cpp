@@ -28,6 +28,7 @@ EchoModelParameters wary(EchoModelParameters parameters) {
   parameters.clutter = 0.25;
   parameters.arm = 0.08;
   parameters.ghost = 0.04;
+  parameters.furnished = 0.4;
   return parameters;
 }
 
@@ -73,6 +74,10 @@ EchoModel::EchoModel(const BeltConfig& belt, const EchoModelParameters& p) {
     unexplained_[i] = ghost_density_ + p.clutter / p.clutter_length_m * fast_exp(-d / p.clutter_length_m) +
                       p.arm / p.arm_length_m * fast_exp(-d / p.arm_length_m) + p.late / span;
   }
+  furniture_density_ = p.furnished / (p.furniture_most_m - p.furniture_least_m);
+  furniture_begin_ = p.furniture_least_m - p.furniture_softness_m;
+  furniture_end_ = p.furniture_most_m + p.furniture_softness_m;
+  furniture_slope_ = 0.5 / p.furniture_softness_m;
   quiet_ = 1.0 - p.clutter - p.arm - p.late - p.ghost;
   deaf_ = p.deaf;
   noise_share_ = belt.range_noise;

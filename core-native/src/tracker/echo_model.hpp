@@ -37,6 +37,10 @@ struct EchoModelParameters {
   double arm_length_m = 0.25;         ///< much nearer still;
   double late = 0.10;                 ///< or the first echo of an unanswered firing comes by two or more reflections.
   double ghost = 0.02;                ///< A reading out of nowhere, uniform over the sensor's range.
+  double furnished = 0.0;             ///< Something stands with its back to a wall that would answer, and does instead:
+  double furniture_least_m = 0.25;    ///< a cupboard, a shelf or a sofa, at least so deep
+  double furniture_most_m = 0.75;     ///< and at most,
+  double furniture_softness_m = 0.10; ///< give or take so much.
 };
 
 /// The same for following a wearer whose place is known, who is heard among more than the plan knows of: one more thing
@@ -92,9 +96,18 @@ class EchoModel {
   [[nodiscard]] bool too_askew(double cosine) const noexcept { return !(cosine > rough_cosine_); }
 
   /// Density of an echo at `range`, per metre: `explained` by the plan (chance times Gaussian, summed), by what is not
-  /// in it behind what failed to answer (`survival`: chance that nothing nearer did), or `again`, known to answer now.
-  [[nodiscard]] double echo(double explained, double survival, double range, double again = 0.0) const noexcept {
-    return heard() * (quiet_ * explained + survival * unexplained(range) + again) + ghost_density_;
+  /// in it behind what failed to answer (`survival`: chance that nothing nearer did), by `furniture` before a wall, or
+  /// `again`, known to answer now.
+  [[nodiscard]] double echo(double explained, double survival, double range, double furniture = 0.0,
+                            double again = 0.0) const noexcept {
+    return heard() * (quiet_ * explained + survival * unexplained(range) + furniture + again) + ghost_density_;
+  }
+  /// Density, per metre, of an echo so much `earlier`, metres, than that of a wall, from what stands with its back to
+  /// it where the wall would answer. Most furniture stands so: an echo from half a metre before the end of a hall is
+  /// hardly a surprise, and no reason to be half a metre farther on.
+  [[nodiscard]] double furniture(double earlier) const noexcept {
+    const double inside = std::min(earlier - furniture_begin_, furniture_end_ - earlier);
+    return inside > 0.0 ? furniture_density_ * std::min(1.0, inside * furniture_slope_) : 0.0;
   }
   /// Probability of no echo where nothing in the plan answers with probability `survival`.
   [[nodiscard]] double silence(double survival) const noexcept { return deaf_ + heard() * quiet_ * survival; }
@@ -124,6 +137,10 @@ class EchoModel {
   double outside_fine_beam2_ = 1.0;
   double outside_coarse_beam2_ = 1.0;
   double ghost_density_ = 0.0;
+  double furniture_density_ = 0.0;
+  double furniture_begin_ = 0.0;
+  double furniture_end_ = 0.0;
+  double furniture_slope_ = 0.0;
   double quiet_ = 1.0;
   double deaf_ = 0.0;
   double noise_share_ = 0.0;

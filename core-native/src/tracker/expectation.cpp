@@ -35,7 +35,7 @@ struct Sighting {
 };
 
 Sighting sighting(double range, double chance, double extra_variance, Vec2 gradient, Vec2 target) noexcept {
-  return {{range, chance, extra_variance, gradient.x, gradient.y}, target.x, target.y};
+  return {{range, chance, extra_variance, gradient.x, gradient.y, false}, target.x, target.y};
 }
 
 // A rough wall answers from where the axis meets it, give or take what the beam's width blurs.
@@ -71,6 +71,7 @@ bool see_wall(const Reflector& r, const View& view, Sighting& seen) noexcept {
   double chance = beam * view.model.reach(ReflectorKind::wall, d);
   if (inside < soft) chance *= 0.5 * (1.0 + inside / soft);
   seen = sighting(d, chance, 0.0, normal, view.eye - d * normal);
+  seen.echo.of_wall = true;
   return true;
 }
 

@@ -98,14 +98,17 @@ Hearing hear(const Particle& p, const Shot& shot, const EchoModel& model, scene:
   double survival = 1.0;
   double survival_at_range = 1.0;
   double explained = 0.0;
+  double furniture = 0.0;
   for (int j = 0; j < expected.count; ++j) {
     const ExpectedEcho& e = expected.echo[static_cast<std::size_t>(j)];
-    explained += consider(e, survival * e.chance, p, shot, model, heard);
+    const double chance = survival * e.chance;
+    explained += consider(e, chance, p, shot, model, heard);
+    if (e.of_wall) furniture += chance * model.furniture(e.range * (1.0 + p.log_scale) - shot.range);
     survival *= 1.0 - e.chance;
     if (e.range < shot.range) survival_at_range = survival;
   }
   const double again = survival_at_range * (repeated(p, shot) + remembered(p, shot, model));
-  const double total = model.echo(explained, survival_at_range, shot.range, again);
+  const double total = model.echo(explained, survival_at_range, shot.range, furniture, again);
   const double density = std::max(kLeastDensity, total);
   const double plan = std::max(kLeastDensity, total - model.heard() * again);
 

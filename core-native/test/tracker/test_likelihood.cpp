@@ -64,6 +64,23 @@ TEST_F(LikelihoodTest, WhatAnsweredInNoRoomMayAnswerAgainAndSaysNothingOfThePlan
   EXPECT_DOUBLE_EQ(second.plan, 0.2);
 }
 
+TEST_F(LikelihoodTest, FurnitureBeforeAWallIsLessOfASurpriseThanInMidRoom) {
+  const EchoModel followed(belt_, wary({}));
+  const double before_wall = weigh(before_wall_, heard_at(1.4), followed, scene_).density;
+  EXPECT_GT(before_wall, 2.0 * weigh(before_wall_, heard_at(0.9), followed, scene_).density);
+  EXPECT_GT(before_wall, 2.0 * weigh(before_wall_, heard_at(2.4), followed, scene_).density) << "nor is it behind it";
+}
+
+TEST_F(LikelihoodTest, WhoReckonsWithFurnitureIsMovedLessByIt) {
+  const EchoModel followed(belt_, wary({}));
+  const auto moved_by = [&](const EchoModel& model) {
+    Particle listens = before_wall_;
+    assimilate(listens, heard_at(1.5), model, scene_);
+    return before_wall_.position.x - listens.position.x;
+  };
+  EXPECT_LT(moved_by(followed), 0.5 * moved_by(model_));
+}
+
 // A cupboard that is in no plan answered sensor 1 from 0.8 m, and now something answers sensor 0 from there.
 class CupboardTest : public LikelihoodTest {
  protected:
