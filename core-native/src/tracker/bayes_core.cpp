@@ -150,12 +150,15 @@ BayesLocator::Core::Verdict BayesLocator::Core::update(Population& population, c
   double before = 0.0;
   const double anywhere = record.trust > 0.0 ? fit_.anywhere(record.echo, record.range) : 1.0;
   population.weigh_modes();
-  const Stride stride(record.interval, motion_, pace_);
+  const Stride stride(record.interval, motion_, pace_, evidence.gait);
   for (Particle& p : population.particles()) {
+    const bool was_away = p.gait == Gait::away;
     stride.advance(p, random_);
     if (!links_.none()) links_.step(p, last_time_, record.interval.seconds, record.interval.turn_known, random_);
-    const bool stepping = p.gait == Gait::walking || (p.gait == Gait::away && links_.on_stairs(p));
-    p.weight *= stepping ? evidence.gait.walking : evidence.gait.standing;
+    if (was_away) {
+      const bool stepping = p.gait == Gait::walking || (p.gait == Gait::away && links_.on_stairs(p));
+      p.weight *= stepping ? evidence.gait.walking : evidence.gait.standing;
+    }
     before += p.weight;
     if (p.gait == Gait::away) {
       const Outcome outcome = hear_away(p, shot, anywhere);

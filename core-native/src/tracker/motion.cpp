@@ -18,8 +18,9 @@ void scale_speed_row(Covariance& c, double f) noexcept {
 
 }  // namespace
 
-Stride::Stride(const Interval& interval, const MotionParameters& m, double pace) noexcept
-    : parameters_(&m), interval_(interval), pace_(pace) {
+Stride::Stride(const Interval& interval, const MotionParameters& m, double pace,
+               const HintIntegrator::GaitEvidence& steps) noexcept
+    : parameters_(&m), interval_(interval), pace_(pace), steps_(steps) {
   const double dt = interval.seconds;
   const double root = std::sqrt(std::max(dt, 0.0));
   if (interval.turn_known && dt > 0.0) turning_ = on_the_spot(interval.turn / dt);
@@ -56,12 +57,24 @@ void Stride::predict(Particle& p) const noexcept {
   p.speed = std::clamp(p.speed, -parameters_->fastest, parameters_->fastest);
 }
 
+// Whether a gait ends, drawn with what the steps tell in mind (the optimal importance density: Doucet, Godsill and
+// Andrieu 2000). By chance alone one in fifty of those who stand would set out at a first step, and all who walk on
+// descend from them.
+bool Stride::draw_change(Particle& p, Random& random) const noexcept {
+  const MotionParameters& m = *parameters_;
+  const bool walks = p.gait == Gait::walking;
+  const double turning = interval_.turn_known ? turning_ : on_the_spot(p.turn_rate);
+  const double rate = walks ? m.stop_rate + turning * m.turning_stop_rate
+                            : m.start_rate + turning * m.turning_start_rate;
+  const double stays = fast_exp(-rate * interval_.seconds);
+  const double same = stays * (walks ? steps_.walking : steps_.standing);
+  const double other = (1.0 - stays) * (walks ? steps_.standing : steps_.walking);
+  p.weight *= same + other;
+  return !(random.uniform() * (same + other) < same);
+}
+
 void Stride::change_gait(Particle& p, Random& random) const noexcept {
   const MotionParameters& m = *parameters_;
-  const double turning = interval_.turn_known ? turning_ : on_the_spot(p.turn_rate);
-  const double rate = p.gait == Gait::walking ? m.stop_rate + turning * m.turning_stop_rate
-                                              : m.start_rate + turning * m.turning_start_rate;
-  if (random.uniform() < fast_exp(-rate * interval_.seconds)) return;
   const double lost = m.change_seconds * std::max(std::abs(p.gait == Gait::walking ? p.speed : pace_), m.slowest_pace);
   if (p.gait == Gait::walking) {
     p.gait = Gait::standing;
@@ -106,7 +119,10 @@ void Stride::turn_unaided(Particle& p, Random& random) const noexcept {
 }
 
 void Stride::advance(Particle& p, Random& random) const noexcept {
-  if (!(interval_.seconds > 0.0)) return;
+  if (!(interval_.seconds > 0.0)) {
+    if (p.gait != Gait::away) p.weight *= p.gait == Gait::walking ? steps_.walking : steps_.standing;
+    return;
+  }
   const double before = p.heading;
   if (interval_.turn_known) {
     p.heading += interval_.turn_without(p.gyro_bias) + turn_sigma_ * cheap_normal(random);
@@ -118,7 +134,7 @@ void Stride::advance(Particle& p, Random& random) const noexcept {
   const SinCos mid = fast_sincos(0.5 * (before + p.heading));
   p.facing = {mid.cos, mid.sin};
   if (p.gait != Gait::away) {
-    change_gait(p, random);
+    if (draw_change(p, random)) change_gait(p, random);
     predict(p);
   } else {
     p.strangers.move(interval_.seconds * p.speed * p.facing);   // Treads are climbed about as fast.

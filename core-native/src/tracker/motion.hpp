@@ -46,20 +46,24 @@ struct MotionParameters {
 class Stride {
  public:
   Stride() = default;
-  /// `pace` is the wearer's usual walking speed. `parameters` must outlive the stride.
-  Stride(const Interval& interval, const MotionParameters& parameters, double pace) noexcept;
+  /// `pace` is the wearer's usual walking speed, `steps` what steps tell of their gait at the interval's end.
+  /// `parameters` must outlive the stride.
+  Stride(const Interval& interval, const MotionParameters& parameters, double pace,
+         const HintIntegrator::GaitEvidence& steps = {}) noexcept;
 
-  /// Moves `particle` through the interval, with noise from `random`.
+  /// Moves `particle` through the interval, with noise from `random`, and weighs it by the steps, unless it is away.
   void advance(Particle& particle, Random& random) const noexcept;
 
  private:
   void turn_unaided(Particle& particle, Random& random) const noexcept;
+  [[nodiscard]] bool draw_change(Particle& particle, Random& random) const noexcept;
   void change_gait(Particle& particle, Random& random) const noexcept;
   void predict(Particle& particle) const noexcept;
 
   const MotionParameters* parameters_ = nullptr;
   Interval interval_{};
   double pace_ = 0.0;
+  HintIntegrator::GaitEvidence steps_{};
   double turning_ = 0.0;          ///< Whether the turn is one on the spot, when a gyroscope told it.
   double turn_sigma_ = 0.0;       ///< What the interval adds to the heading,
   double bias_sigma_ = 0.0;       ///< to the gyroscope's bias
