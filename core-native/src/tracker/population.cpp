@@ -12,6 +12,7 @@ namespace {
 constexpr double kCellMetres = 0.5;
 constexpr double kCellRadians = degrees(20.0);
 constexpr std::uint64_t kFree = ~std::uint64_t{0};
+constexpr double kFlat = 0.7;                 // Power of the weights by which particles of a mode are drawn.
 
 std::uint64_t cell_key(const Particle& p) noexcept {
   const auto x = static_cast<std::int64_t>(std::floor(p.position.x / kCellMetres));
@@ -23,6 +24,9 @@ std::uint64_t cell_key(const Particle& p) noexcept {
   key = (key ^ (key >> 31) ^ static_cast<std::uint64_t>(h)) * 0x9e3779b97f4a7c15ULL;
   return key == kFree ? 0 : key;
 }
+
+// By how much a particle of this weight is drawn.
+double pull(double weight) noexcept { return weight > 0.0 ? fast_exp(kFlat * fast_log(weight)) : 0.0; }
 
 std::size_t slots_for(std::size_t particles) noexcept {
   return std::bit_ceil(std::max<std::size_t>(2 * particles, 64));
@@ -185,25 +189,35 @@ void Population::resample(std::span<const std::uint8_t> mode_of, std::span<const
   normalize();
 }
 
-// Systematic resampling of the particles of one mode to the front of `out`; returns how many.
+// Systematic resampling of the particles of one mode to the front of `out`; returns how many. They are drawn by flatter
+// weights than their own, and keep the rest of those (Liu, Chen and Logvinenko 2001): who is likelier by a chance echo
+// leaves some of the others, and of few particles more than one or two see a start or a stop.
 std::size_t Population::draw_mode(std::span<const std::uint8_t> mode_of, std::size_t mode, std::size_t target,
                                   std::span<Particle> out, Random& random) const noexcept {
   if (target == 0) return 0;
-  double weight = 0.0;
-  for (std::size_t i = 0; i < count_; ++i) weight += mode_of[i] == mode ? particles_[i].weight : 0.0;
-  if (!(weight > 0.0)) return 0;
-  const double step = weight / static_cast<double>(target);
-  double at = random.uniform() * step;
-  double reached = 0.0;
-  std::size_t made = 0, last = 0;
+  double weight = 0.0, pulls = 0.0;
   for (std::size_t i = 0; i < count_; ++i) {
     if (mode_of[i] != mode) continue;
-    last = i;
-    reached += particles_[i].weight;
-    for (; made < target && at < reached; at += step) out[made++] = particles_[i];
+    weight += particles_[i].weight;
+    pulls += pull(particles_[i].weight);
   }
-  while (made < target) out[made++] = particles_[last];   // Rounding may leave the last one's share out.
-  for (Particle& p : out.first(made)) p.weight = step;
+  if (!(weight > 0.0)) return 0;
+  const double step = pulls / static_cast<double>(target);
+  double at = random.uniform() * step;
+  double reached = 0.0, drawn = 0.0;
+  std::size_t made = 0, last = 0;
+  const auto take = [&](const Particle& p) {
+    out[made] = p;
+    drawn += out[made++].weight = p.weight / pull(p.weight);
+  };
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (mode_of[i] != mode || !(particles_[i].weight > 0.0)) continue;
+    last = i;
+    reached += pull(particles_[i].weight);
+    for (; made < target && at < reached; at += step) take(particles_[i]);
+  }
+  while (made < target) take(particles_[last]);   // Rounding may leave the last one's share out.
+  for (Particle& p : out.first(made)) p.weight *= weight / drawn;
   return made;
 }
 

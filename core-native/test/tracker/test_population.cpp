@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 #include "tracker/rows.hpp"
 
 namespace echoway::tracker {
@@ -48,6 +51,44 @@ TEST(Population, KeepsItsPlacesApartWhenItIsExchanged) {
   tracked.exchange(other, random);
   EXPECT_EQ(other.main_size(), 30u);
   EXPECT_EQ(tracked.main_size(), 20u);
+}
+
+// A likely half of a belief and an unlikely one, at one place.
+class UnlikelyHalf : public ::testing::Test {
+ protected:
+  static constexpr std::size_t kCount = 80;
+  static constexpr double kUnlikely = 0.02;
+
+  static Population drawn(std::uint64_t seed) {
+    Random random(seed);
+    Population belief(kCount);
+    for (std::size_t i = 0; i < kCount; ++i) {
+      Particle p;
+      p.position.x = i < kCount / 2 ? 0.0 : 1.0;
+      p.weight = (i < kCount / 2 ? 1.0 - kUnlikely : kUnlikely) * 2.0 / kCount;
+      belief.push(p);
+    }
+    const std::array<std::uint8_t, kCount> one_mode{};
+    belief.resample(one_mode, std::array<std::size_t, 1>{kCount}, random);
+    return belief;
+  }
+};
+
+TEST_F(UnlikelyHalf, KeepsMoreOfTheParticlesThanOfTheWeight) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Population belief = drawn(seed);
+    const auto kept = std::ranges::count_if(belief.particles(), [](const Particle& p) { return p.position.x > 0.5; });
+    EXPECT_GE(kept, 4) << "its share is one or two";
+  }
+}
+
+TEST_F(UnlikelyHalf, IsAsLikelyAsBefore) {
+  double sum = 0.0;
+  constexpr int kSeeds = 200;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    for (const Particle& p : drawn(seed).particles()) sum += p.weight * p.position.x;
+  }
+  EXPECT_NEAR(sum / kSeeds, kUnlikely, 0.1 * kUnlikely);
 }
 
 }  // namespace
