@@ -50,6 +50,7 @@ constexpr Part kParts[] = {
     {"evidence from missing echoes", &TrackerParts::silence},
     {"askew answers of near walls", &TrackerParts::rough_walls},
     {"corners heard by way of walls", &TrackerParts::mirrored_corners},
+    {"furniture before walls", &TrackerParts::furniture},
     {"repeated echoes as one surprise", &TrackerParts::repeats},
     {"speed by what stands in no plan", &TrackerParts::range_rate},
     {"memory of unmapped furniture", &TrackerParts::memory},
