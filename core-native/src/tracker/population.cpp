@@ -12,7 +12,7 @@ namespace {
 constexpr double kCellMetres = 0.5;
 constexpr double kCellRadians = degrees(20.0);
 constexpr std::uint64_t kFree = ~std::uint64_t{0};
-constexpr double kFlat = 0.7;                 // Power of the weights by which particles of a mode are drawn.
+constexpr double kFlat = 0.7;   // Power of the weights by which particles of a mode are drawn.
 
 std::uint64_t cell_key(const Particle& p) noexcept {
   const auto x = static_cast<std::int64_t>(std::floor(p.position.x / kCellMetres));
@@ -26,7 +26,7 @@ std::uint64_t cell_key(const Particle& p) noexcept {
 }
 
 // By how much a particle of this weight is drawn.
-double pull(double weight) noexcept { return weight > 0.0 ? fast_exp(kFlat * fast_log(weight)) : 0.0; }
+double pull(double weight) noexcept { return tempered(weight, kFlat); }
 
 std::size_t slots_for(std::size_t particles) noexcept {
   return std::bit_ceil(std::max<std::size_t>(2 * particles, 64));
@@ -211,7 +211,7 @@ std::size_t Population::draw_mode(std::span<const std::uint8_t> mode_of, std::si
     drawn += out[made++].weight = p.weight / pull(p.weight);
   };
   for (std::size_t i = 0; i < count_; ++i) {
-    if (mode_of[i] != mode || !(particles_[i].weight > 0.0)) continue;
+    if (mode_of[i] != mode) continue;
     last = i;
     reached += pull(particles_[i].weight);
     for (; made < target && at < reached; at += step) take(particles_[i]);
