@@ -86,7 +86,8 @@ TEST_F(UnlikelyHalf, IsAsLikelyAsBefore) {
   double sum = 0.0;
   constexpr int kSeeds = 200;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    for (const Particle& p : drawn(seed).particles()) sum += p.weight * p.position.x;
+    const Population belief = drawn(seed);
+    for (const Particle& p : belief.particles()) sum += p.weight * p.position.x;
   }
   EXPECT_NEAR(sum / kSeeds, kUnlikely, 0.1 * kUnlikely);
 }
