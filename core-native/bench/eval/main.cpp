@@ -65,11 +65,13 @@ sim::Simulation walk_through(const Building& building, const Options& o, std::ui
   walk.cover_probability = o.cover;
   walk.duration_s = o.seconds;
   walk.profile = *sim::profile_of(o.profile);
-  sim::Simulation simulation = expect(sim::simulate(building, sim::random_walk(building, walk, seed * 101 + 7)));
-  if (o.world == "waves") return simulation;
+  const bool among_rays = o.world == "rays";
   const auto elsewhere = [&](const Room& room) { return room.level != building.rooms.front().level; };
-  if (std::ranges::any_of(building.rooms, elsewhere)) throw std::runtime_error("rays know one level, no more");
-  return rays::heard_by_rays(building, simulation, seed);
+  if (among_rays && std::ranges::any_of(building.rooms, elsewhere)) {
+    throw std::runtime_error("rays know one level, no more");
+  }
+  sim::Simulation simulation = expect(sim::simulate(building, sim::random_walk(building, walk, seed * 101 + 7)));
+  return among_rays ? rays::heard_by_rays(building, simulation, seed) : simulation;
 }
 
 // Seconds until the place was right for three seconds in a row; -1: never.

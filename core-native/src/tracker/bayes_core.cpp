@@ -155,9 +155,8 @@ BayesLocator::Core::Verdict BayesLocator::Core::update(Population& population, c
     const bool was_away = p.gait == Gait::away;
     stride.advance(p, random_);
     if (!links_.none()) links_.step(p, last_time_, record.interval.seconds, record.interval.turn_known, random_);
-    if (was_away) {
-      const bool stepping = p.gait == Gait::walking || (p.gait == Gait::away && links_.on_stairs(p));
-      p.weight *= stepping ? evidence.gait.walking : evidence.gait.standing;
+    if (was_away) {   // The others have been weighed by the stride.
+      p.weight *= evidence.gait.of(p.gait == Gait::walking || (p.gait == Gait::away && links_.on_stairs(p)));
     }
     before += p.weight;
     if (p.gait == Gait::away) {

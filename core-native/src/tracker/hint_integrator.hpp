@@ -37,6 +37,8 @@ class HintIntegrator {
   struct GaitEvidence {
     double standing = 1.0;
     double walking = 1.0;
+
+    [[nodiscard]] double of(bool walks) const noexcept { return walks ? walking : standing; }
   };
   [[nodiscard]] GaitEvidence take_gait_evidence(double time_s, double seconds) noexcept;
   /// Steps a second on the way, the median of the last ones; 0 when nobody is stepping or too few steps were heard.

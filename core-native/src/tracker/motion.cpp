@@ -67,8 +67,8 @@ bool Stride::draw_change(Particle& p, Random& random) const noexcept {
   const double rate = walks ? m.stop_rate + turning * m.turning_stop_rate
                             : m.start_rate + turning * m.turning_start_rate;
   const double stays = fast_exp(-rate * interval_.seconds);
-  const double same = stays * (walks ? steps_.walking : steps_.standing);
-  const double other = (1.0 - stays) * (walks ? steps_.standing : steps_.walking);
+  const double same = stays * steps_.of(walks);
+  const double other = (1.0 - stays) * steps_.of(!walks);
   p.weight *= same + other;
   return !(random.uniform() * (same + other) < same);
 }
@@ -120,7 +120,7 @@ void Stride::turn_unaided(Particle& p, Random& random) const noexcept {
 
 void Stride::advance(Particle& p, Random& random) const noexcept {
   if (!(interval_.seconds > 0.0)) {
-    if (p.gait != Gait::away) p.weight *= p.gait == Gait::walking ? steps_.walking : steps_.standing;
+    if (p.gait != Gait::away) p.weight *= steps_.of(p.gait == Gait::walking);
     return;
   }
   const double before = p.heading;

@@ -206,17 +206,19 @@ std::size_t Population::draw_mode(std::span<const std::uint8_t> mode_of, std::si
   double at = random.uniform() * step;
   double reached = 0.0, drawn = 0.0;
   std::size_t made = 0, last = 0;
-  const auto take = [&](const Particle& p) {
+  const auto take = [&](const Particle& p, double pulled) {
     out[made] = p;
-    drawn += out[made++].weight = p.weight / pull(p.weight);
+    drawn += out[made++].weight = p.weight / pulled;
   };
   for (std::size_t i = 0; i < count_; ++i) {
     if (mode_of[i] != mode) continue;
     last = i;
-    reached += pull(particles_[i].weight);
-    for (; made < target && at < reached; at += step) take(particles_[i]);
+    const double pulled = pull(particles_[i].weight);
+    reached += pulled;
+    for (; made < target && at < reached; at += step) take(particles_[i], pulled);
   }
-  while (made < target) take(particles_[last]);   // Rounding may leave the last one's share out.
+  // Rounding may leave the last one's share out.
+  while (made < target) take(particles_[last], pull(particles_[last].weight));
   for (Particle& p : out.first(made)) p.weight *= weight / drawn;
   return made;
 }

@@ -107,10 +107,11 @@ TEST(RangeRate, OfAnotherThingIsNotTakenForTheWearers) {
 double off_after_a_slow_walk(std::uint64_t seed, bool range_rate, bool gyroscope = true) {
   constexpr double kFrom = 8.0, kSpeed = 0.35, kEnds = 12.0;
   const test::HallWithCupboards hall;
+  const Building plan = hall.plan();
   BayesOptions options{.seed = seed};
   options.parts.range_rate = range_rate;
   const Start start{.room = 0, .position = Vec2{kFrom, 0.5 * hall.kWidth}, .heading = 0.0};
-  BayesLocator locator(hall.plan, hall.belt, start, options);
+  BayesLocator locator(plan, hall.belt, start, options);
   double x = kFrom;
   for (int i = 0; i * hall.belt.slot_s < kEnds; ++i) {
     const double time = i * hall.belt.slot_s;

@@ -42,8 +42,9 @@ TEST(Stillness, TellsThatTheWearerHasStopped) {
   constexpr double kFrom = 10.0;
   constexpr double kStops = 6.0, kEnds = 9.0;   // Seconds.
   const test::HallWithCupboards hall;
+  const Building plan = hall.plan();
   const Start start{.room = 0, .position = Vec2{kFrom, 0.5 * hall.kWidth}, .heading = 0.0};
-  BayesLocator locator(hall.plan, hall.belt, start, {});
+  BayesLocator locator(plan, hall.belt, start, {});
   double farthest_on = 0.0;
   for (int i = 0; i * 0.0624 < kEnds; ++i) {
     const double time = i * 0.0624;
