@@ -141,6 +141,7 @@ class BayesLocator::Core {
   void believe_understudy();
   void dismiss_others() noexcept;
   void forget_surroundings();
+  [[nodiscard]] tracker::Rival::Belief standing() const;
   void judge_rivals(const tracker::Record& record, const Evidence& evidence, const tracker::Shot& shot);
   [[nodiscard]] bool may_search() const;
   [[nodiscard]] bool is_search_needless() const;

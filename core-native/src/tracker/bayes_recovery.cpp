@@ -207,11 +207,17 @@ std::uint64_t BayesLocator::Core::search_pause() const {
   return gyro_ ? kPoorPause << std::min(fruitless_ / kCircles, kMostDoublings) : kBlindPoorPause;
 }
 
+Rival::Belief BayesLocator::Core::standing() const {
+  if (unconfirmed_ > 0) return Rival::Belief::unproved;
+  return fit_.poor() ? Rival::Belief::poor : Rival::Belief::proved;
+}
+
 void BayesLocator::Core::judge_rivals(const Record& record, const Evidence& evidence, const Shot& shot) {
   for (Rival& rival : rivals_) {
     if (!rival.present()) continue;
-    const double log_rival = record.novelty * update(rival.population(), record, evidence, shot).log_plan;
-    switch (rival.judge(record.log_main, log_rival, fit_.poor() && unconfirmed_ == 0)) {
+    const double log_plan = update(rival.population(), record, evidence, shot).log_plan;
+    const double fit = record.trust > 0.5 ? fit_.gain(log_plan, record.echo, record.range) : 0.0;
+    switch (rival.judge({record.log_main, record.novelty * log_plan, fit}, standing())) {
       case Rival::Verdict::undecided:
         break;
       case Rival::Verdict::rejected:
@@ -230,7 +236,7 @@ void BayesLocator::Core::judge_rivals(const Record& record, const Evidence& evid
 void BayesLocator::Core::believe(Rival& rival) {
   main_.exchange(rival.population(), random_);
   rivals_.dismiss_others(rival);
-  rival.begin(kLogReturn);   // The old belief may yet turn out to be right.
+  rival.begin_return(kLogReturn);   // The old belief may yet turn out to be right.
   if (fit_.poor()) {
     unconfirmed_ = kConfirmed;
   } else {

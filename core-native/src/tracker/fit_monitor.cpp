@@ -30,11 +30,15 @@ double FitMonitor::anywhere(bool echo, double range) const noexcept {
   return reference_density(echo_share_, echo, range);
 }
 
+double FitMonitor::gain(double log_density, bool echo, double range) const noexcept {
+  return std::clamp(log_density - fast_log(anywhere(echo, range)), -4.0, 4.0);
+}
+
 void FitMonitor::observe(double log_density, bool echo, double range) noexcept {
-  const double gain = std::clamp(log_density - fast_log(anywhere(echo, range)), -4.0, 4.0);
-  shortest_ += kShortestMemory * (gain - shortest_);
-  short_ += kShortMemory * (gain - short_);
-  long_ += kLongMemory * (gain - long_);
+  const double gained = gain(log_density, echo, range);
+  shortest_ += kShortestMemory * (gained - shortest_);
+  short_ += kShortMemory * (gained - short_);
+  long_ += kLongMemory * (gained - long_);
   echo_share_ += kShareMemory * ((echo ? 1.0 : 0.0) - echo_share_);
   echo_share_ = std::clamp(echo_share_, 0.15, 0.85);
   ++observed_;

@@ -10,6 +10,8 @@ class FitMonitor {
   /// Share of the firings observed of late that were answered. 0.15 to 0.85.
   [[nodiscard]] double echo_share() const noexcept { return echo_share_; }
 
+  /// By how much `log_density`, which a place gave a reading, is above that of nothing known: log likelihood, -4 to 4.
+  [[nodiscard]] double gain(double log_density, bool echo, double range) const noexcept;
   /// `log_density` as the tracked hypothesis predicted the reading; `echo` and `range` say which reading it was.
   void observe(double log_density, bool echo, double range) noexcept;
   void reset() noexcept;

@@ -119,6 +119,27 @@ TEST(BayesLocator, HoldsAWearerAmongMoreStrangersThanThingsOfThePlan) {
   EXPECT_LT(mean_m, 0.15) << "metres";
 }
 
+// Where nothing explains the echoes for a while, some other place does so a little better; these walks were most often
+// taken to be there.
+TEST(BayesLocator, TakesNobodyForElsewhereBecauseNothingFits) {
+  constexpr std::uint64_t kDraws = 4;
+  const Building building = *load_building(std::string(ECHOWAY_MAPS_DIR) + "/two-rooms");
+  double mean_m = 0.0;
+  double room_share = 0.0;
+  for (const std::uint64_t seed : {140035, 140086, 140198}) {
+    const auto walk = walk_through(building, seed * 101 + 7, 80.0, sim::Profile::hard);
+    for (std::uint64_t draws = 0; draws < kDraws; ++draws) {
+      BayesLocator locator(building, walk.scans.belt.apply_to({}), test::start_of(walk, building),
+                           {.seed = seed + 1000 * draws});
+      const Score score = follow(locator, building, walk, true);
+      mean_m += score.mean_m / (3.0 * kDraws);
+      room_share += score.room_share / (3.0 * kDraws);
+    }
+  }
+  EXPECT_LT(mean_m, 0.4) << "metres";
+  EXPECT_GT(room_share, 0.97);
+}
+
 // On a thigh the phone turns with every stride though the belt does not.
 TEST(BayesLocator, HoldsAWearerWhosePhoneSwingsInATrouserPocket) {
   const Building building = *load_building(std::string(ECHOWAY_MAPS_DIR) + "/torgersen-lab");

@@ -13,7 +13,7 @@ Rival& add(Rivals& rivals, double gain) {
   p.weight = 1.0;
   rival.population().push(p);
   rival.begin(-20.0);
-  EXPECT_EQ(rival.judge(0.0, gain, false), Rival::Verdict::undecided);
+  EXPECT_EQ(rival.judge({0.0, gain, 1.0}, Rival::Belief::proved), Rival::Verdict::undecided);
   return rival;
 }
 
