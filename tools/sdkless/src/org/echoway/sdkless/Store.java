@@ -14,8 +14,11 @@ import java.security.DigestInputStream;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HexFormat;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 
 /**
@@ -36,7 +39,8 @@ final class Store {
     /** Paths of the entries, in their order; downloads what is missing. */
     List<Path> get(List<Lock.Entry> entries) throws IOException {
         List<Lock.Entry> missing = entries.stream().filter(entry -> !Files.exists(path(entry))).toList();
-        if (!missing.isEmpty()) download(missing);
+        if (!missing.isEmpty()) System.out.println("fetching " + missing.size() + " files");
+        for (List<Lock.Entry> round : oneVersionEach(missing)) download(round);
         return entries.stream().map(this::path).toList();
     }
 
@@ -44,8 +48,24 @@ final class Store {
         return files.resolve(entry.sha256()).resolve(entry.fileName());
     }
 
+    /**
+     * The entries in as few lists as it takes until none has two versions of a module: of what is asked for together
+     * Coursier fetches the newest version alone, and the Gradle scripts need other ones than the app.
+     */
+    private static List<List<Lock.Entry>> oneVersionEach(List<Lock.Entry> entries) {
+        Map<String, Set<String>> versions = new HashMap<>();
+        List<List<Lock.Entry>> rounds = new ArrayList<>();
+        for (Lock.Entry entry : entries) {
+            Set<String> known = versions.computeIfAbsent(entry.module(), module -> new LinkedHashSet<>());
+            known.add(entry.version());
+            int round = List.copyOf(known).indexOf(entry.version());
+            while (rounds.size() <= round) rounds.add(new ArrayList<>());
+            rounds.get(round).add(entry);
+        }
+        return rounds;
+    }
+
     private void download(List<Lock.Entry> missing) throws IOException {
-        System.out.println("fetching " + missing.size() + " files");
         Fetch fetch = Fetch.create().withCache(Cache.create()).withArtifactTypes(TYPES);
         for (Lock.Entry entry : missing) {
             fetch.addDependencies(Dependency.of(entry.group(), entry.artifact(), entry.version())
