@@ -15,8 +15,8 @@ function(echoway_compile_options target)
   target_compile_options(${target} PRIVATE -fno-tree-slp-vectorize)
 endfunction()
 
-# For a target that calls the core and computes next to nothing itself: to optimise it as the core is takes half of the time
-# that it takes to compile, and gains none. Rounding is the same.
+# For a target that calls the core and computes next to nothing itself: to optimise it as the core is takes a quarter of the
+# time that it takes to compile, and gains none. Rounding is the same.
 function(echoway_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
 endfunction()

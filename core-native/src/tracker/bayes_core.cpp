@@ -139,7 +139,7 @@ void BayesLocator::Core::track(Record& record, const Evidence& evidence) {
 
 // Between levels the echoes fit no place, which says nothing against the place that was left.
 void BayesLocator::Core::show(FitMonitor& fit, const Verdict& verdict, const Record& record) const noexcept {
-  if (record.trust > 0.5 && !perhaps_away()) fit.observe(verdict.log_plan, record.echo, record.range);
+  if (shows_fit(record) && !perhaps_away()) fit.observe(verdict.log_plan, record.echo, record.range);
 }
 
 // Predicts, weighs and corrects every particle.

@@ -77,6 +77,8 @@ class BayesLocator::Core {
   };
   Verdict update(tracker::Population& population, const tracker::Record& record, const Evidence& evidence,
                  const tracker::Shot& shot);
+  /// Whether what the sensor says shows how well a place fits: a suspect one's readings fit none.
+  [[nodiscard]] static bool shows_fit(const tracker::Record& record) noexcept { return record.trust > 0.5; }
   /// Lets the monitor of a belief see what that made of a reading, unless the sensor is suspect.
   void show(tracker::FitMonitor& fit, const Verdict& verdict, const tracker::Record& record) const noexcept;
   void heed_pair(tracker::Population& population, const Evidence& evidence, double unexplained) const;
@@ -141,7 +143,7 @@ class BayesLocator::Core {
   void believe_understudy();
   void dismiss_others() noexcept;
   void forget_surroundings();
-  [[nodiscard]] tracker::Rival::Belief standing() const;
+  [[nodiscard]] tracker::Rival::Belief state_of_belief() const;
   void judge_rivals(const tracker::Record& record, const Evidence& evidence, const tracker::Shot& shot);
   [[nodiscard]] bool may_search() const;
   [[nodiscard]] bool is_search_needless() const;

@@ -207,7 +207,7 @@ std::uint64_t BayesLocator::Core::search_pause() const {
   return gyro_ ? kPoorPause << std::min(fruitless_ / kCircles, kMostDoublings) : kBlindPoorPause;
 }
 
-Rival::Belief BayesLocator::Core::standing() const {
+Rival::Belief BayesLocator::Core::state_of_belief() const {
   if (unconfirmed_ > 0) return Rival::Belief::unproved;
   return fit_.poor() ? Rival::Belief::poor : Rival::Belief::proved;
 }
@@ -216,8 +216,8 @@ void BayesLocator::Core::judge_rivals(const Record& record, const Evidence& evid
   for (Rival& rival : rivals_) {
     if (!rival.present()) continue;
     const double log_plan = update(rival.population(), record, evidence, shot).log_plan;
-    const double fit = record.trust > 0.5 ? fit_.gain(log_plan, record.echo, record.range) : 0.0;
-    switch (rival.judge({record.log_main, record.novelty * log_plan, fit}, standing())) {
+    const double fit = shows_fit(record) ? fit_.gain(log_plan, record.echo, record.range) : 0.0;
+    switch (rival.judge({record.log_main, record.novelty * log_plan, fit}, state_of_belief())) {
       case Rival::Verdict::undecided:
         break;
       case Rival::Verdict::rejected:

@@ -91,13 +91,23 @@ TEST(BayesLocator, ARoomEndsInTheMiddleOfADoorway) {
   EXPECT_NEAR(late, 0.0, 1.0) << "firings";
 }
 
-// Cluttered rooms, people about, ghosts.
+// One walk among people, clutter and ghosts, told the start, followed with several seeds of the tracker.
+std::vector<Score> follow_among_people(const Building& building, std::uint64_t seed, double seconds,
+                                       std::uint64_t draws) {
+  const auto walk = walk_through(building, seed * 101 + 7, seconds, sim::Profile::hard);
+  std::vector<Score> scores;
+  for (std::uint64_t draw = 0; draw < draws; ++draw) {
+    BayesLocator locator(building, walk.scans.belt.apply_to({}), test::start_of(walk, building),
+                         {.seed = seed + 1000 * draw});
+    scores.push_back(follow(locator, building, walk, true));
+  }
+  return scores;
+}
+
 TEST(BayesLocator, LosesNobodyAmongPeopleAndClutter) {
   const Building building = *load_building(std::string(ECHOWAY_MAPS_DIR) + "/torgersen-lab");
   for (std::uint64_t seed = 301; seed <= 308; ++seed) {
-    const auto walk = walk_through(building, seed * 101 + 7, 60.0, sim::Profile::hard);
-    BayesLocator locator(building, walk.scans.belt.apply_to({}), test::start_of(walk, building), {.seed = seed});
-    EXPECT_LT(follow(locator, building, walk, true).mean_m, 1.0) << "walk " << seed;
+    EXPECT_LT(follow_among_people(building, seed, 60.0, 1).front().mean_m, 1.0) << "walk " << seed;
   }
 }
 
@@ -107,13 +117,9 @@ TEST(BayesLocator, HoldsAWearerAmongMoreStrangersThanThingsOfThePlan) {
   const Building building = *load_building(std::string(ECHOWAY_MAPS_DIR) + "/torgersen-lab");
   double mean_m = 0.0;
   for (const std::uint64_t seed : {307, 310, 313, 323}) {
-    const auto walk = walk_through(building, seed * 101 + 7, 60.0, sim::Profile::hard);
-    for (std::uint64_t draws = 0; draws < kDraws; ++draws) {
-      BayesLocator locator(building, walk.scans.belt.apply_to({}), test::start_of(walk, building),
-                           {.seed = seed + 1000 * draws});
-      const double walk_m = follow(locator, building, walk, true).mean_m;
-      EXPECT_LT(walk_m, 0.5) << "walk " << seed << ", draws " << draws;
-      mean_m += walk_m / (4.0 * kDraws);
+    for (const Score& score : follow_among_people(building, seed, 60.0, kDraws)) {
+      EXPECT_LT(score.mean_m, 0.5) << "walk " << seed;
+      mean_m += score.mean_m / (4.0 * kDraws);
     }
   }
   EXPECT_LT(mean_m, 0.15) << "metres";
@@ -127,11 +133,7 @@ TEST(BayesLocator, TakesNobodyForElsewhereBecauseNothingFits) {
   double mean_m = 0.0;
   double room_share = 0.0;
   for (const std::uint64_t seed : {140035, 140086, 140198}) {
-    const auto walk = walk_through(building, seed * 101 + 7, 80.0, sim::Profile::hard);
-    for (std::uint64_t draws = 0; draws < kDraws; ++draws) {
-      BayesLocator locator(building, walk.scans.belt.apply_to({}), test::start_of(walk, building),
-                           {.seed = seed + 1000 * draws});
-      const Score score = follow(locator, building, walk, true);
+    for (const Score& score : follow_among_people(building, seed, 80.0, kDraws)) {
       mean_m += score.mean_m / (3.0 * kDraws);
       room_share += score.room_share / (3.0 * kDraws);
     }

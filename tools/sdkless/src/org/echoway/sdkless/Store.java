@@ -16,7 +16,6 @@ import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HexFormat;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -53,12 +52,12 @@ final class Store {
      * Coursier fetches the newest version alone, and the Gradle scripts need other ones than the app.
      */
     private static List<List<Lock.Entry>> oneVersionEach(List<Lock.Entry> entries) {
-        Map<String, Set<String>> versions = new HashMap<>();
+        Map<String, List<String>> versions = new HashMap<>();
         List<List<Lock.Entry>> rounds = new ArrayList<>();
         for (Lock.Entry entry : entries) {
-            Set<String> known = versions.computeIfAbsent(entry.module(), module -> new LinkedHashSet<>());
-            known.add(entry.version());
-            int round = List.copyOf(known).indexOf(entry.version());
+            List<String> known = versions.computeIfAbsent(entry.module(), module -> new ArrayList<>());
+            if (!known.contains(entry.version())) known.add(entry.version());
+            int round = known.indexOf(entry.version());
             while (rounds.size() <= round) rounds.add(new ArrayList<>());
             rounds.get(round).add(entry);
         }
