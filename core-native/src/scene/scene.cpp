@@ -44,14 +44,18 @@ Scene::Scene(const Building& building, const SightLimits& limits)
       scratch_(scratch_for(rooms_)),
       cells_(count_cells(rooms_), scratch_.largest_cell()) {}
 
-const Cell& Scene::compile(const RoomScene& room, int column, int row) noexcept {
+Cell Scene::compile(const RoomScene& room, Vec2 low, Vec2 high) noexcept {
+  const Cell cell = compile_cell(room, low, high, limits_, scratch_);
+  compile_work_ += kEmptyCell + cell.occluders.size();
+  return cell;
+}
+
+const Cell& Scene::compile_and_keep(const RoomScene& room, int column, int row) noexcept {
   const std::size_t id = room.first_cell + static_cast<std::size_t>(row) * static_cast<std::size_t>(room.columns) +
                          static_cast<std::size_t>(column);
   const double size = room.cell_size;
   const Vec2 low = room.grid_origin + Vec2{column * size, row * size};
-  const Cell cell = compile_cell(room, low, low + Vec2{size, size}, limits_, scratch_);
-  compile_work_ += kEmptyCell + cell.occluders.size();
-  return cells_.put(id, cell);
+  return cells_.put(id, compile(room, low, low + Vec2{size, size}));
 }
 
 std::size_t Scene::memory() const noexcept {

@@ -30,7 +30,13 @@ class Scene {
     const Cell* const cell =
         cells_.find(r.first_cell + static_cast<std::size_t>(row) * static_cast<std::size_t>(r.columns) +
                     static_cast<std::size_t>(column));
-    return cell != nullptr ? *cell : compile(r, column, row);
+    return cell != nullptr ? *cell : compile_and_keep(r, column, row);
+  }
+
+  /// What can be seen from the box `low` ... `high` of `room`, of any size: for who looks round in many places close
+  /// together and does not come back. Nothing is kept: its lists hold until the next call, or one of cell_at().
+  [[nodiscard]] Cell seen_from(RoomIndex room, Vec2 low, Vec2 high) noexcept {
+    return compile(rooms_[static_cast<std::size_t>(room)], low, high);
   }
 
   /// What compiling cells has taken so far, those compiled again included: about so many occluders were listed.
@@ -40,7 +46,8 @@ class Scene {
   [[nodiscard]] std::size_t memory() const noexcept;
 
  private:
-  [[nodiscard]] const Cell& compile(const RoomScene& room, int column, int row) noexcept;
+  [[nodiscard]] Cell compile(const RoomScene& room, Vec2 low, Vec2 high) noexcept;
+  [[nodiscard]] const Cell& compile_and_keep(const RoomScene& room, int column, int row) noexcept;
 
   std::vector<RoomScene> rooms_;
   SightLimits limits_;

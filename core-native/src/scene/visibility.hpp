@@ -40,67 +40,6 @@ template <std::size_t N>
   return true;
 }
 
-/// A convex hull against which many segments are tested: its shadows on the axes that may separate are taken once.
-class Hull {
- public:
-  /// All straight ways from an upright box to a stretch, or to a point.
-  Hull(const std::array<Vec2, 4>& box, const Segment& to) noexcept
-      : points_{box[0], box[1], box[2], box[3], to.a, to.b}, count_(6) {
-    add_axis({1.0, 0.0});
-    add_axis({0.0, 1.0});
-    for (Vec2 corner : box) add_axis(perpendicular(to.a - corner));
-    if (to.a == to.b) return;
-    for (Vec2 corner : box) add_axis(perpendicular(to.b - corner));
-    add_axis(perpendicular(to.direction()));
-  }
-
-  /// All straight ways from a parallelogram (a, b; c next to a) to a point.
-  Hull(Vec2 a, Vec2 b, Vec2 c, Vec2 to) noexcept : points_{a, b, c, b + (c - a), to}, count_(5) {
-    add_axis({1.0, 0.0});
-    add_axis({0.0, 1.0});
-    for (std::size_t i = 0; i < 4; ++i) add_axis(perpendicular(to - points_[i]));
-    add_axis(perpendicular(b - a));
-    add_axis(perpendicular(c - a));
-  }
-
-  /// False only when a line separates `s` from the hull; true may be a near miss.
-  [[nodiscard]] bool may_touch(const Segment& s) const noexcept {
-    for (std::size_t i = 0; i < axes_; ++i) {
-      if (shadows_[i].misses(s)) return false;
-    }
-    return !shadow(perpendicular(s.direction())).misses(s);
-  }
-
- private:
-  struct Shadow {
-    Vec2 axis;
-    double low, high;
-
-    [[nodiscard]] bool misses(const Segment& s) const noexcept {
-      const double a = dot(axis, s.a);
-      const double b = dot(axis, s.b);
-      return (a < low && b < low) || (a > high && b > high);
-    }
-  };
-
-  [[nodiscard]] Shadow shadow(Vec2 axis) const noexcept {
-    Shadow out{axis, dot(axis, points_[0]), dot(axis, points_[0])};
-    for (std::size_t i = 1; i < count_; ++i) {
-      const double v = dot(axis, points_[i]);
-      out.low = v < out.low ? v : out.low;
-      out.high = v > out.high ? v : out.high;
-    }
-    return out;
-  }
-
-  void add_axis(Vec2 axis) noexcept { shadows_[axes_++] = shadow(axis); }
-
-  std::array<Vec2, 6> points_;
-  std::size_t count_;
-  std::array<Shadow, 11> shadows_;
-  std::size_t axes_ = 0;
-};
-
 /// Bounding box of some points: most of a large room's walls are ruled out by it alone.
 struct Bounds : echoway::Box {
   [[nodiscard]] Bounds grown(double by) const noexcept { return {{low - Vec2{by, by}, high + Vec2{by, by}}}; }
@@ -113,6 +52,73 @@ struct Bounds : echoway::Box {
   [[nodiscard]] bool misses(const Bounds& other) const noexcept {
     return other.high.x < low.x || other.low.x > high.x || other.high.y < low.y || other.low.y > high.y;
   }
+};
+
+/// All straight ways from a parallelogram of places to a stretch, or to a point: a convex hull against which many
+/// segments are tested. Of the lines that may separate them its own sides are worked out once.
+class Hull {
+ public:
+  /// From an upright box.
+  Hull(const std::array<Vec2, 4>& box, const Segment& to) noexcept
+      : points_{box[0], box[1], box[2], box[3], to.a, to.b} {
+    bound();
+    const Vec2 centre = 0.5 * (box[0] + box[2]);
+    const bool a_is_right = cross(to.a - centre, to.b - centre) >= 0.0;
+    add_side(outermost(a_is_right ? to.b : to.a, 1.0));
+    add_side(outermost(a_is_right ? to.a : to.b, -1.0));
+    if (to.a != to.b) add_side(a_is_right ? -perpendicular(to.direction()) : perpendicular(to.direction()));
+  }
+
+  /// From a parallelogram (a, b; c next to a) to a point.
+  Hull(Vec2 a, Vec2 b, Vec2 c, Vec2 to) noexcept : points_{a, b, b + (c - a), c, to, to} {
+    bound();
+    add_side(outermost(to, 1.0));
+    add_side(outermost(to, -1.0));
+    for (const Vec2 along : {b - a, c - a}) {
+      add_side(perpendicular(along));
+      add_side(-perpendicular(along));
+    }
+  }
+
+  /// False only when a line separates `s` from the hull; true may be a near miss.
+  [[nodiscard]] bool may_touch(const Segment& s) const noexcept {
+    if (bounds_.misses(s)) return false;
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (dot(sides_[i].out, s.a) > sides_[i].reach && dot(sides_[i].out, s.b) > sides_[i].reach) return false;
+    }
+    return !separated(perpendicular(s.direction()), points_, s);
+  }
+
+ private:
+  /// Beyond `reach` along `out` there is nothing of the hull.
+  struct Side {
+    Vec2 out;
+    double reach;
+  };
+
+  void bound() noexcept {
+    for (const Vec2 p : points_) bounds_.include(p);
+  }
+
+  /// Away from the outermost way to `to`, on the left (`hand` 1) or on the right (-1).
+  [[nodiscard]] Vec2 outermost(Vec2 to, double hand) const noexcept {
+    Vec2 from = points_[0];
+    for (std::size_t i = 1; i < 4; ++i) {
+      if (hand * cross(to - from, points_[i] - from) > 0.0) from = points_[i];
+    }
+    return hand * perpendicular(to - from);
+  }
+
+  void add_side(Vec2 out) noexcept {
+    double reach = dot(out, points_[0]);
+    for (std::size_t i = 1; i < points_.size(); ++i) reach = std::max(reach, dot(out, points_[i]));
+    sides_[count_++] = {out, reach};
+  }
+
+  std::array<Vec2, 6> points_;
+  Bounds bounds_;
+  std::array<Side, 6> sides_{};
+  std::size_t count_ = 0;
 };
 
 /// True when the open way from `p` to `q` properly crosses `s`.

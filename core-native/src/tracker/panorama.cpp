@@ -14,7 +14,7 @@ void Panorama::stand_at(RoomIndex room, Vec2 position) noexcept {
 }
 
 const Panorama::Sight& Panorama::towards(double angle, double radius, const EchoModel& model,
-                                         scene::Scene& scene) noexcept {
+                                         const scene::RoomScene& room, const scene::Cell& seen) noexcept {
   const double turns = angle * (1.0 / kTwoPi);
   const double part = turns - std::floor(turns);
   const auto at = static_cast<std::size_t>(part * kDirections + 0.5) % kDirections;
@@ -29,8 +29,7 @@ const Panorama::Sight& Panorama::towards(double angle, double radius, const Echo
   Shot shot;
   shot.radius = radius;
   shot.coarse = true;
-  // The cell of the place itself serves for the belt around it, too: a search is coarse, and cells take time.
-  sight.echoes = expect_from(scene.cell_at(room_, position_), scene.room(room_), p, shot, model);
+  sight.echoes = expect_from(seen, room, p, shot, model);
   sight.silence = 1.0;
   for (int j = 0; j < sight.echoes.count; ++j) {
     sight.silence *= 1.0 - sight.echoes.echo[static_cast<std::size_t>(j)].chance;

@@ -20,7 +20,9 @@ class Panorama {
     double silence = 1.0;                  ///< Probability that none of them answers.
   };
   /// What can be seen in the direction of `angle` (radians, room frame) from a transducer `radius` off the place.
-  [[nodiscard]] const Sight& towards(double angle, double radius, const EchoModel& model, scene::Scene& scene) noexcept;
+  /// `seen` lists what can be seen from where the transducer is.
+  [[nodiscard]] const Sight& towards(double angle, double radius, const EchoModel& model, const scene::RoomScene& room,
+                                     const scene::Cell& seen) noexcept;
 
   /// Directions worked out so far, over all places.
   [[nodiscard]] std::size_t looks() const noexcept { return looks_; }

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <tuple>
 
 #include "tracker/elementary.hpp"
-#include "tracker/floor.hpp"
 #include "tracker/twins.hpp"
 
 namespace echoway::tracker {
@@ -19,18 +17,28 @@ constexpr double kDrawnSpeedSigma = 0.15; // Metres a second.
 constexpr double kCellSigma = 0.45;       // Standard deviation of a place within its cell, as a share of its width,
 constexpr double kRefinedSigma = 0.25;    // and of one drawn from it.
 
+double area_of(const scene::Scene& scene) noexcept {
+  double area = 0.0;
+  for (std::size_t r = 0; r < scene.room_count(); ++r) area += scene.room(static_cast<RoomIndex>(r)).box_area();
+  return area;
+}
+
+double spacing_for(double area, const Search::Parameters& p) noexcept {
+  const double headings = kTwoPi / p.heading_step;
+  const auto spacing_of = [&](double candidates) { return std::sqrt(area * headings / candidates); };
+  const double spacing = std::clamp(spacing_of(p.few_candidates), p.closest_spacing, p.spacing);
+  return std::max(spacing, spacing_of(static_cast<double>(p.most_candidates)));
+}
+
 }  // namespace
 
 Search::Search(const scene::Scene& scene, const Parameters& parameters)
-    : parameters_(parameters), refinement_(std::max(parameters.refined, parameters.refined_thoroughly)) {
+    : parameters_(parameters),
+      hopeless_(fast_exp(-parameters.give_up)),
+      area_(area_of(scene)),
+      grid_(spacing_for(area_, parameters)),
+      refinement_(std::max(parameters.refined, parameters.refined_thoroughly)) {
   survivors_.resize(parameters_.keep);
-  for (std::size_t r = 0; r < scene.room_count(); ++r) {
-    area_ += scene.room(static_cast<RoomIndex>(r)).box_area();
-  }
-  const double headings = kTwoPi / parameters_.heading_step;
-  const auto spacing_for = [&](double candidates) { return std::sqrt(area_ * headings / candidates); };
-  spacing_ = std::clamp(spacing_for(parameters_.few_candidates), parameters_.closest_spacing, parameters_.spacing);
-  spacing_ = std::max(spacing_, spacing_for(static_cast<double>(parameters_.most_candidates)));
   slice_ = std::clamp(area_ / parameters_.usual_area, 1.0, parameters_.largest_slice);
 }
 
@@ -52,82 +60,30 @@ void Search::start(SearchDomain domain, std::uint64_t begin, std::uint64_t end) 
   domain_ = domain;
   begin_ = begin;
   end_ = end;
-  room_ = domain.only_room == kNoRoom ? 0 : domain.only_room;
-  columns_ = 0;
+  grid_.start(domain);
   tried_ = count_ = swept_ = 0;
-  best_.fill(kNowhere);
-  turns_ = heading_is_known() ? 5 : static_cast<int>(std::lround(kTwoPi / parameters_.heading_step));
+  best_.fill(0.0);
+  turn_ = turns_ = heading_is_known() ? 5 : static_cast<int>(std::lround(kTwoPi / parameters_.heading_step));
 }
 
-void Search::enter_room(const SearchTools& tools) noexcept {
-  const auto& room = tools.scene.room(room_);
-  centre_ = domain_.heading;
-  if (domain_.level_heading) centre_ = *domain_.level_heading - tools.building.room(room_).frame.heading;
-  if (domain_.near_heading) {
-    const double near_frame = tools.building.room(domain_.near_room).frame.heading;
-    centre_ = *domain_.near_heading + near_frame - tools.building.room(room_).frame.heading;
+std::optional<double> Search::heading_in_room(const Building& building) const noexcept {
+  const double frame = building.room(grid_.room()).frame.heading;
+  if (domain_.near_heading) return *domain_.near_heading + building.room(domain_.near_room).frame.heading - frame;
+  if (domain_.level_heading) return *domain_.level_heading - frame;
+  return domain_.heading;
+}
+
+bool Search::next_candidate(const SearchTools& tools, double& heading) noexcept {
+  if (turn_ == turns_) {
+    if (!grid_.next(tools, domain_)) return false;
+    turn_ = 0;
+    centre_ = heading_in_room(tools.building);
+    panorama_.stand_at(grid_.room(), grid_.position());
   }
-  const Vec2 size = room.high - room.low;
-  columns_ = std::max(1, static_cast<int>(std::ceil(size.x / spacing_)));
-  rows_ = std::max(1, static_cast<int>(std::ceil(size.y / spacing_)));
-  origin_ = room.low + 0.5 * Vec2{size.x - spacing_ * (columns_ - 1), size.y - spacing_ * (rows_ - 1)};
-  column_ = row_ = turn_ = 0;
-  floor_checked_ = false;
-}
-
-// Whether any of the current room lies within the domain, by its bounding box. The next levels above and below count as
-// near: somebody may have taken the stairs unnoticed.
-bool Search::reachable(const SearchTools& tools) const noexcept {
-  if (!domain_.within) return true;
-  const auto& room = tools.scene.room(room_);
-  const Room& here = tools.building.room(room_);
-  const Room& near = tools.building.room(domain_.near_room);
-  if (std::abs(here.level - near.level) > 1) return false;
-  const Vec2 centre = here.frame.inverse_transform(near.frame.transform(domain_.near_position));
-  const Vec2 closest{std::clamp(centre.x, room.low.x, room.high.x), std::clamp(centre.y, room.low.y, room.high.y)};
-  return distance(centre, closest) <= *domain_.within;
-}
-
-bool Search::worth_trying(const SearchTools& tools, Vec2 position) const noexcept {
-  if (domain_.within) {
-    const Room& near = tools.building.room(domain_.near_room);
-    const Room& here = tools.building.room(room_);
-    const Vec2 about = near.frame.transform(domain_.near_position);
-    if (distance(here.frame.transform(position), about) > *domain_.within) return false;
-  }
-  return can_stand(tools.scene.room(room_), position);
-}
-
-bool Search::next_candidate(const SearchTools& tools, Vec2& position, double& heading) noexcept {
-  for (;;) {
-    if (columns_ == 0) {
-      if (room_ >= static_cast<RoomIndex>(tools.scene.room_count())) return false;
-      enter_room(tools);
-      if (!reachable(tools)) row_ = rows_;
-    }
-    while (row_ < rows_) {
-      position = origin_ + Vec2{spacing_ * column_, spacing_ * row_};
-      if (!floor_checked_) {
-        floor_checked_ = worth_trying(tools, position);
-        if (!floor_checked_) turn_ = turns_;
-      }
-      if (turn_ < turns_) {
-        heading = centre_ ? *centre_ + domain_.heading_sigma * (turn_ - 0.5 * (turns_ - 1))
-                          : -kPi + parameters_.heading_step * turn_;
-        ++turn_;
-        return true;
-      }
-      turn_ = 0;
-      floor_checked_ = false;
-      if (++column_ == columns_) {
-        column_ = 0;
-        ++row_;
-      }
-    }
-    columns_ = 0;
-    if (domain_.only_room != kNoRoom) return false;
-    ++room_;
-  }
+  heading = centre_ ? *centre_ + domain_.heading_sigma * (turn_ - 0.5 * (turns_ - 1))
+                    : -kPi + parameters_.heading_step * turn_;
+  ++turn_;
+  return true;
 }
 
 void Search::keep(const Survivor& survivor) noexcept {
@@ -201,7 +157,7 @@ void Search::enter_belief() noexcept {
   log_belief_ = 0.0;
   for (std::size_t i = 0; i < swept_; ++i) {
     log_belief_ += legs_[i].log_belief;
-    best_[i] = log_belief_;
+    best_[i] = fast_exp(log_belief_);
   }
 }
 
@@ -211,32 +167,34 @@ bool Search::beats_belief() const noexcept {
   return std::any_of(survivors_.begin(), survivors_.begin() + static_cast<std::ptrdiff_t>(count_), beats);
 }
 
-double Search::log_likelihood(const SearchTools& tools, const Leg& leg, const SinCos& facing, double heading) noexcept {
+double Search::likelihood(const SearchTools& tools, const Leg& leg, const SinCos& facing, double heading,
+                          const scene::Cell& seen) noexcept {
+  const double cell_sigma = kCellSigma * grid_.spacing();
   Offset offset;
   offset.per_speed = rotated(leg.way, {facing.cos, facing.sin});
   offset.moved = tools.motion.start_speed * offset.per_speed;
   offset.speed_variance = tools.motion.start_speed_sigma * tools.motion.start_speed_sigma;
-  offset.variance = kCellSigma * kCellSigma * spacing_ * spacing_ + tools.motion.sway * tools.motion.sway * leg.seconds;
+  offset.variance = cell_sigma * cell_sigma + tools.motion.sway * tools.motion.sway * leg.seconds;
   offset.log_scale = tools.log_scale;
   offset.log_scale_variance = tools.log_scale_sigma * tools.log_scale_sigma;
   const Panorama::Sight& sight =
-      panorama_.towards(heading + leg.bearing, tools.belt.radius_m, tools.model, tools.scene);
-  return leg.novelty * fast_log(density_of(sight, leg.echo, leg.range, offset, tools.model));
+      panorama_.towards(heading + leg.bearing, tools.belt.radius_m, tools.model, tools.scene.room(grid_.room()), seen);
+  return tempered(density_of(sight, leg.echo, leg.range, offset, tools.model), leg.novelty);
 }
 
-std::size_t Search::try_candidate(const SearchTools& tools, Vec2 position, double heading) noexcept {
-  if (turn_ == 1) panorama_.stand_at(room_, position);
+std::size_t Search::try_candidate(const SearchTools& tools, double heading) noexcept {
+  const scene::Cell& seen = grid_.seen(tools);
   const SinCos facing = fast_sincos(wrap_near(heading));
   constexpr std::uint64_t kScatter = 0x9e3779b97f4a7c15;  // Odd, so that all products differ; equals are kept all over.
-  Survivor s{room_, position, heading, 0.0, tried_ * kScatter};
   const std::size_t looks = panorama_.looks();
+  double so_far = 1.0;
   std::size_t n = 0;
   for (; n < swept_; ++n) {
-    s.log_likelihood += log_likelihood(tools, legs_[n], facing, heading);
-    if (s.log_likelihood < best_[n] - parameters_.give_up) break;
-    best_[n] = std::max(best_[n], s.log_likelihood);
+    so_far *= likelihood(tools, legs_[n], facing, heading, seen);
+    if (so_far < hopeless_ * best_[n]) break;
+    best_[n] = std::max(best_[n], so_far);
   }
-  if (n == swept_) keep(s);
+  if (n == swept_) keep({grid_.room(), grid_.position(), heading, fast_log(so_far), tried_ * kScatter});
   return n + parameters_.look_cost * (panorama_.looks() - looks);
 }
 
@@ -248,15 +206,15 @@ Record Search::from_begin(const History& history, std::uint64_t number) const no
 
 bool Search::work(const SearchTools& tools, Random& random) noexcept {
   std::size_t spent = 0;
+  grid_.forget_seen();
   if (swept_ == 0) {
     reckon(tools);
     put_echoes_first();
     enter_belief();
   }
   while (phase_ == Phase::sweeping && spent < budget()) {
-    Vec2 position;
     double heading = 0.0;
-    if (!next_candidate(tools, position, heading)) {
+    if (!next_candidate(tools, heading)) {
       if (!beats_belief()) {
         phase_ = Phase::done;
         log_evidence_ = kNowhere;
@@ -268,7 +226,7 @@ bool Search::work(const SearchTools& tools, Random& random) noexcept {
     }
     ++tried_;
     const std::size_t compiled = tools.scene.compile_work();
-    spent += try_candidate(tools, position, heading);
+    spent += try_candidate(tools, heading);
     spent += parameters_.compile_cost * (tools.scene.compile_work() - compiled);
   }
   if (phase_ != Phase::refining || spent >= budget()) return false;
@@ -311,7 +269,7 @@ void Search::draw_from_survivors(const SearchTools& tools, Random& random) noexc
     const Survivor& s = survivors_[i];
     const Vec2 off{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5)};
     const double heading = s.heading + random.uniform(-0.5, 0.5) * heading_cell();
-    Particle p = candidate(tools, s.room, s.position + spacing_ * off, heading, kRefinedSigma * spacing_);
+    Particle p = candidate(tools, s.room, s.position + grid_.spacing() * off, heading, kRefinedSigma * grid_.spacing());
     p.gait = random.uniform() < kStandingShare ? Gait::standing : Gait::walking;
     p.speed = p.gait == Gait::standing ? 0.0 : motion.start_speed + motion.start_speed_sigma * cheap_normal(random);
     const double sigma = p.gait == Gait::standing ? motion.standing_sigma : kDrawnSpeedSigma;

@@ -3,33 +3,16 @@
 #include <optional>
 #include <vector>
 
-#include "tracker/dead_reckoning.hpp"
-#include "tracker/history.hpp"
 #include "tracker/elementary.hpp"
-#include "tracker/level_belief.hpp"
+#include "tracker/history.hpp"
 #include "tracker/likelihood.hpp"
 #include "tracker/panorama.hpp"
 #include "tracker/population.hpp"
 #include "tracker/refinement.hpp"
+#include "tracker/search_domain.hpp"
+#include "tracker/search_grid.hpp"
 
 namespace echoway::tracker {
-
-/// Where to look.
-struct SearchDomain {
-  RoomIndex only_room = kNoRoom;              ///< kNoRoom: everywhere.
-  std::optional<double> heading;              ///< In that room's frame; unset: all round.
-  std::optional<double> level_heading;        ///< In the levels' frames, when a compass said so; unset: all round.
-  double heading_sigma = degrees(6.0);
-  RoomIndex near_room = kNoRoom;              ///< When set, places near this one are likelier than elsewhere.
-  Vec2 near_position{};                       ///< In that room's frame.
-  std::optional<double> within;               ///< Metres: look no farther from there, on any level,
-  std::optional<double> near_heading;         ///< and, when set, only about this heading (that room's frame).
-  /// Log likelihood by which some place must do better in the sweep than the belief did; unset: there is none to beat.
-  std::optional<double> least_gain;
-  bool thorough = false;                      ///< Places that no echo tells apart shall all be found.
-  const DeadReckoning* reckoning = nullptr;   ///< When set, and known, places near where it leads are likelier.
-  const LevelBelief* levels = nullptr;        ///< When set, places on levels where the wearer has been are likelier.
-};
 
 /// Looks for the wearer over a whole building. First a sweep: a grid of positions and headings is replayed through a
 /// window of recent firings, each candidate a coarse particle that stands for its cell, dropped as soon as it falls
@@ -49,11 +32,11 @@ class Search {
     std::size_t refined_thoroughly = 2400;   ///< more where none of like places may be missed, ...
     std::size_t refined_facing = 800;    ///< ... fewer when it is known where the wearer faces,
     std::size_t refined_locally = 600;   ///< and of a search that only looks about a place.
-    std::size_t budget = 48000;          ///< Readings looked up in a panorama per slice ...
-    std::size_t second_budget = 38000;   ///< The same while some place is believed in already,
+    std::size_t budget = 56000;          ///< Readings looked up in a panorama per slice ...
+    std::size_t second_budget = 44000;   ///< The same while some place is believed in already,
     std::size_t local_budget = 20000;    ///< and of a search that only looks about it.
     std::size_t look_cost = 8;           ///< ... of which a direction that must first be worked out costs so many,
-    std::size_t replay_cost = 8;         ///< a firing that is replayed exactly
+    std::size_t replay_cost = 6;         ///< a firing that is replayed exactly
     std::size_t compile_cost = 4;        ///< and an occluder listed for a cell that must first be compiled.
     std::size_t most_candidates = 1500000;
     double usual_area = 1000.0;          ///< Square metres. A larger building is searched in slices that grow with it,
@@ -104,10 +87,8 @@ class Search {
   [[nodiscard]] bool is_large(const SearchDomain& domain) const noexcept {
     return slice_ > 1.0 && domain.only_room == kNoRoom && !domain.within;
   }
-  [[nodiscard]] bool next_candidate(const SearchTools& tools, Vec2& position, double& heading) noexcept;
-  void enter_room(const SearchTools& tools) noexcept;
-  [[nodiscard]] bool reachable(const SearchTools& tools) const noexcept;
-  [[nodiscard]] bool worth_trying(const SearchTools& tools, Vec2 position) const noexcept;
+  [[nodiscard]] bool next_candidate(const SearchTools& tools, double& heading) noexcept;
+  [[nodiscard]] std::optional<double> heading_in_room(const Building& building) const noexcept;
   [[nodiscard]] Particle candidate(const SearchTools& tools, RoomIndex room, Vec2 position, double heading,
                                    double sigma) const noexcept;
   [[nodiscard]] Record from_begin(const History& history, std::uint64_t number) const noexcept;
@@ -125,9 +106,9 @@ class Search {
   void put_echoes_first() noexcept;
   void enter_belief() noexcept;
   [[nodiscard]] bool beats_belief() const noexcept;
-  [[nodiscard]] double log_likelihood(const SearchTools& tools, const Leg& leg, const SinCos& facing,
-                                      double heading) noexcept;
-  [[nodiscard]] std::size_t try_candidate(const SearchTools& tools, Vec2 position, double heading) noexcept;
+  [[nodiscard]] double likelihood(const SearchTools& tools, const Leg& leg, const SinCos& facing, double heading,
+                                  const scene::Cell& seen) noexcept;
+  [[nodiscard]] std::size_t try_candidate(const SearchTools& tools, double heading) noexcept;
   void keep(const Survivor& survivor) noexcept;
   void in_order_of_place() noexcept;
   void draw_from_survivors(const SearchTools& tools, Random& random) noexcept;
@@ -145,25 +126,22 @@ class Search {
   [[nodiscard]] std::size_t budget() const noexcept;
 
   Parameters parameters_;
-  double spacing_ = 0.0;
+  double hopeless_;                      ///< Likelihood over that of the best from which on it is given up.
   double slice_ = 1.0;                   ///< Of a search of everywhere, as a multiple of the usual one.
-  double area_ = 0.0;                    ///< Of the building's rooms, square metres.
+  double area_;                          ///< Of the building's rooms, square metres.
   Phase phase_ = Phase::idle;
   SearchDomain domain_;
   std::uint64_t begin_ = 0;
   std::uint64_t end_ = 0;
 
-  RoomIndex room_ = 0;                   ///< Of the next candidate ...
-  int column_ = 0, row_ = 0, turn_ = 0;
-  int columns_ = 0, rows_ = 0, turns_ = 0;
-  bool floor_checked_ = false;
-  std::optional<double> centre_;         ///< Heading about which to look, in the current room's frame.
-  Vec2 origin_{};
+  SearchGrid grid_;
+  int turn_ = 0, turns_ = 0;             ///< Of the next heading at its place, and how many there are.
+  std::optional<double> centre_;         ///< Heading about which to look, in the frame of the place's room.
 
-  static constexpr std::size_t kMostSwept = 24;
+  static constexpr std::size_t kMostSwept = 24;   ///< A double holds the product of so many least densities.
   std::array<Leg, kMostSwept> legs_{};
   std::size_t swept_ = 0;
-  std::array<double, kMostSwept> best_{};   ///< Log likelihood of the best candidate up to each leg.
+  std::array<double, kMostSwept> best_{};   ///< Likelihood of the best candidate up to each leg.
   double log_belief_ = 0.0;              ///< The belief's, of all legs.
   Panorama panorama_;
   std::size_t tried_ = 0;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdint>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -163,14 +164,14 @@ TEST(WestportHouse, AWalkLeadsOverThreeLevels) {
 }
 
 /// Mean error, metres, of the tracker on the walk over three levels while it is in the right room, the share of rows in
-/// which it is, and the highest level that it ever says. Told where the walk starts.
+/// which it is, and the highest level that it ever says. Told where the walk starts; `seed`: the tracker's.
 struct Followed {
   double mean_error_m = 0.0;
   double right_room = 0.0;
   int highest = 0;
   std::string last_room;
 };
-Followed follow_three_levels() {
+Followed follow_three_levels(std::uint64_t seed) {
   const Result<sim::Walk> walk = sim::read_walk(kWestport / "walks" / "three-levels.walk");
   const Result<sim::Simulation> run = walk ? sim::simulate(westport(), *walk) : Result<sim::Simulation>(walk.error());
   if (!run) {
@@ -178,6 +179,7 @@ Followed follow_three_levels() {
     return {};
   }
   SessionConfig config;
+  config.seed = seed;
   config.start = {westport().find_room(walk->start.room), walk->start.at, walk->start_heading};
   auto session = Session::open(westport(), config);
   if (!session) {
@@ -206,14 +208,18 @@ Followed follow_three_levels() {
 }
 
 // On stairs the truth's position is the end of the link, which is all that a plan knows.
+// The stairwells are alike: one wearer in a hundred is taken to have come out on another level, whichever one it is.
 TEST(WestportHouse, TheTrackerFollowsTheWalkOverThreeLevels) {
-  const Followed followed = follow_three_levels();
-  EXPECT_EQ(followed.highest, 2);
   constexpr double kMeanError = 1.0;  // Metres. The stairwells and their neighbours are alike on every level ...
   constexpr double kRightRoom = 0.7;  // ... so the right one is known once the wearer comes to something that differs.
-  EXPECT_EQ(followed.last_room, "2-wrld-office");
-  EXPECT_LT(followed.mean_error_m, kMeanError);
-  EXPECT_GT(followed.right_room, kRightRoom);
+  constexpr int kTrackers = 6;
+  int arrived = 0;
+  for (int seed = 1; seed <= kTrackers; ++seed) {
+    const Followed followed = follow_three_levels(static_cast<std::uint64_t>(seed));
+    EXPECT_EQ(followed.last_room, "2-wrld-office") << "tracker of seed " << seed;
+    arrived += followed.highest == 2 && followed.mean_error_m < kMeanError && followed.right_room > kRightRoom;
+  }
+  EXPECT_GE(arrived, kTrackers - 1);
 }
 
 // From the street door to the kitchen on the second floor and out again.
