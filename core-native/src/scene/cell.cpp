@@ -152,18 +152,23 @@ class CellCompiler {
     const Reflector& r = room_.reflectors[c.reflector];
     const bool mirrored = r.kind == ReflectorKind::mirrored_corner;
     const bool hideable = r.kind != ReflectorKind::all_reflective;
-    Bounds reach;
-    for (Vec2 p : {box_[0], box_[2], c.feet.a, c.feet.b}) reach.include(p);
-    if (mirrored) reach.include(r.b);
-    const Hull from_mirror = mirrored ? ways_from_mirror(c.feet, r) : ways;
+    Bounds reach = ways.bounds();
+    std::optional<Hull> from_mirror;
+    if (mirrored) {
+      reach.include(r.b);
+      from_mirror = ways_from_mirror(c.feet, r);
+    }
+    const auto in_the_way = [&](const Segment& s) {
+      if (!from_mirror) return ways.may_touch(s);
+      return !reach.misses(s) && (ways.may_touch(s) || from_mirror->may_touch(s));
+    };
     scratch_.between_.clear();
     for (std::size_t begin = 0; begin < room_.occluders.size(); begin += kTogether) {
       if (reach.misses(scratch_.bounds_[begin / kTogether])) continue;
       const std::size_t end = std::min(begin + kTogether, room_.occluders.size());
       for (std::size_t k = begin; k < end; ++k) {
         const Segment& s = room_.occluders[k];
-        if (static_cast<std::int16_t>(k) == r.own_index || reach.misses(s)) continue;
-        if (!ways.may_touch(s) && !(mirrored && from_mirror.may_touch(s))) continue;
+        if (static_cast<std::int16_t>(k) == r.own_index || !in_the_way(s)) continue;
         if (hideable && blocks_all(s, box_, c.feet)) return false;
         scratch_.between_.push_back(static_cast<std::uint16_t>(k));
       }

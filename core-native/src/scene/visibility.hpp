@@ -80,6 +80,8 @@ class Hull {
     }
   }
 
+  [[nodiscard]] const Bounds& bounds() const noexcept { return bounds_; }
+
   /// False only when a line separates `s` from the hull; true may be a near miss.
   [[nodiscard]] bool may_touch(const Segment& s) const noexcept {
     if (bounds_.misses(s)) return false;

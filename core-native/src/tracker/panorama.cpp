@@ -7,21 +7,20 @@
 
 namespace echoway::tracker {
 
-void Panorama::stand_at(RoomIndex room, Vec2 position) noexcept {
-  room_ = room;
+void Panorama::stand_at(const scene::RoomScene& room, Vec2 position) noexcept {
+  room_ = &room;
   position_ = position;
   known_.fill(false);
 }
 
 const Panorama::Sight& Panorama::towards(double angle, double radius, const EchoModel& model,
-                                         const scene::RoomScene& room, const scene::Cell& seen) noexcept {
+                                         const scene::Cell& seen) noexcept {
   const double turns = angle * (1.0 / kTwoPi);
   const double part = turns - std::floor(turns);
   const auto at = static_cast<std::size_t>(part * kDirections + 0.5) % kDirections;
   Sight& sight = sights_[at];
   if (known_[at]) return sight;
   Particle p;
-  p.room = room_;
   p.position = position_;
   p.heading = wrap_near(kTwoPi * static_cast<double>(at) / kDirections);
   const SinCos f = fast_sincos(p.heading);
@@ -29,7 +28,7 @@ const Panorama::Sight& Panorama::towards(double angle, double radius, const Echo
   Shot shot;
   shot.radius = radius;
   shot.coarse = true;
-  sight.echoes = expect_from(seen, room, p, shot, model);
+  sight.echoes = expect_from(seen, *room_, p, shot, model);
   sight.silence = 1.0;
   for (int j = 0; j < sight.echoes.count; ++j) {
     sight.silence *= 1.0 - sight.echoes.echo[static_cast<std::size_t>(j)].chance;

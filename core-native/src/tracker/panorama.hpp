@@ -12,8 +12,8 @@ class Panorama {
  public:
   static constexpr int kDirections = 30;   ///< 12 degrees apart, as the headings tried, and half of what sensors are.
 
-  /// Looks from `position` in `room` from now on; nothing is worked out yet.
-  void stand_at(RoomIndex room, Vec2 position) noexcept;
+  /// Looks from `position` in `room`, which must outlive it, from now on; nothing is worked out yet.
+  void stand_at(const scene::RoomScene& room, Vec2 position) noexcept;
 
   struct Sight {
     ExpectedEchoes echoes;
@@ -21,14 +21,14 @@ class Panorama {
   };
   /// What can be seen in the direction of `angle` (radians, room frame) from a transducer `radius` off the place.
   /// `seen` lists what can be seen from where the transducer is.
-  [[nodiscard]] const Sight& towards(double angle, double radius, const EchoModel& model, const scene::RoomScene& room,
+  [[nodiscard]] const Sight& towards(double angle, double radius, const EchoModel& model,
                                      const scene::Cell& seen) noexcept;
 
   /// Directions worked out so far, over all places.
   [[nodiscard]] std::size_t looks() const noexcept { return looks_; }
 
  private:
-  RoomIndex room_ = kNoRoom;
+  const scene::RoomScene* room_ = nullptr;
   Vec2 position_{};
   std::array<Sight, kDirections> sights_;
   std::array<bool, kDirections> known_{};

@@ -5,6 +5,7 @@
 
 #include "tracker/elementary.hpp"
 #include "tracker/floor.hpp"
+#include "tracker/likelihood.hpp"
 #include "tracker/summary.hpp"
 
 namespace echoway::tracker {

@@ -1,25 +1,10 @@
 #pragma once
 
-#include "tracker/history.hpp"
-#include "tracker/likelihood.hpp"
 #include "tracker/modes.hpp"
 #include "tracker/population.hpp"
+#include "tracker/search_tools.hpp"
 
 namespace echoway::tracker {
-
-/// What a search knows besides its domain.
-struct SearchTools {
-  const EchoModel& model;
-  scene::Scene& scene;
-  const MotionParameters& motion;
-  const BeltConfig& belt;
-  const History& history;
-  const Building& building;
-  double log_scale;                    ///< What is known of the sound-speed scale.
-  double log_scale_sigma;
-  double gyro_bias;
-  double pace;                         ///< The wearer's usual one, m/s.
-};
 
 /// Share of a replayed firing's evidence that counts: three quarters of the first pass of sensors, half of what they
 /// say again later. What stands in no plan is heard again and again, and whichever of thousands of places it fits

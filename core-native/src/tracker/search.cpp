@@ -78,7 +78,7 @@ bool Search::next_candidate(const SearchTools& tools, double& heading) noexcept 
     if (!grid_.next(tools, domain_)) return false;
     turn_ = 0;
     centre_ = heading_in_room(tools.building);
-    panorama_.stand_at(grid_.room(), grid_.position());
+    panorama_.stand_at(tools.scene.room(grid_.room()), grid_.position());
   }
   heading = centre_ ? *centre_ + domain_.heading_sigma * (turn_ - 0.5 * (turns_ - 1))
                     : -kPi + parameters_.heading_step * turn_;
@@ -177,8 +177,7 @@ double Search::likelihood(const SearchTools& tools, const Leg& leg, const SinCos
   offset.variance = cell_sigma * cell_sigma + tools.motion.sway * tools.motion.sway * leg.seconds;
   offset.log_scale = tools.log_scale;
   offset.log_scale_variance = tools.log_scale_sigma * tools.log_scale_sigma;
-  const Panorama::Sight& sight =
-      panorama_.towards(heading + leg.bearing, tools.belt.radius_m, tools.model, tools.scene.room(grid_.room()), seen);
+  const Panorama::Sight& sight = panorama_.towards(heading + leg.bearing, tools.belt.radius_m, tools.model, seen);
   return tempered(density_of(sight, leg.echo, leg.range, offset, tools.model), leg.novelty);
 }
 

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "tracker/refinement.hpp"
 #include "tracker/search_domain.hpp"
+#include "tracker/search_tools.hpp"
 
 namespace echoway::tracker {
 

@@ -148,19 +148,27 @@ TEST(WestportHouse, AScanCanBeSimulatedOnEveryLevel) {
   EXPECT_EQ(heard, (std::set<int>{0, 1, 2, 3, 4, 5, 6}));
 }
 
-// Up two storeys: a simulated wearer gets through the doors and the stairs of the imported plan.
+/// A simulated wearer's way up two storeys.
+const sim::Simulation& three_levels() {
+  static const sim::Simulation simulation = [] {
+    const Result<sim::Walk> walk = sim::read_walk(kWestport / "walks" / "three-levels.walk");
+    Result<sim::Simulation> run = walk ? sim::simulate(westport(), *walk) : Result<sim::Simulation>(walk.error());
+    if (!run) ADD_FAILURE() << run.error().to_string();
+    return run ? std::move(run).value() : sim::Simulation{};
+  }();
+  return simulation;
+}
+
+// Through the doors and the stairs of the imported plan.
 TEST(WestportHouse, AWalkLeadsOverThreeLevels) {
-  const Result<sim::Walk> walk = sim::read_walk(kWestport / "walks" / "three-levels.walk");
-  ASSERT_TRUE(walk) << walk.error().to_string();
-  const Result<sim::Simulation> simulation = sim::simulate(westport(), *walk);
-  ASSERT_TRUE(simulation) << simulation.error().to_string();
+  ASSERT_FALSE(three_levels().truth.empty());
   std::vector<int> levels;
-  for (const TruthRow& row : simulation->truth) {
+  for (const TruthRow& row : three_levels().truth) {
     const int level = westport().room(westport().find_room(row.room)).level;
     if (levels.empty() || levels.back() != level) levels.push_back(level);
   }
   EXPECT_EQ(levels, (std::vector<int>{0, 1, 2}));
-  EXPECT_EQ(simulation->truth.back().room, "2-wrld-office");
+  EXPECT_EQ(three_levels().truth.back().room, "2-wrld-office");
 }
 
 /// Mean error, metres, of the tracker on the walk over three levels while it is in the right room, the share of rows in
@@ -172,15 +180,12 @@ struct Followed {
   std::string last_room;
 };
 Followed follow_three_levels(std::uint64_t seed) {
-  const Result<sim::Walk> walk = sim::read_walk(kWestport / "walks" / "three-levels.walk");
-  const Result<sim::Simulation> run = walk ? sim::simulate(westport(), *walk) : Result<sim::Simulation>(walk.error());
-  if (!run) {
-    ADD_FAILURE() << run.error().to_string();
-    return {};
-  }
+  const sim::Simulation& run = three_levels();
+  if (run.truth.empty()) return {};
   SessionConfig config;
   config.seed = seed;
-  config.start = {westport().find_room(walk->start.room), walk->start.at, walk->start_heading};
+  config.start = {westport().find_room(run.truth.front().room), run.truth.front().pose.position,
+                  run.truth.front().pose.heading};
   auto session = Session::open(westport(), config);
   if (!session) {
     ADD_FAILURE() << session.error().to_string();
@@ -188,22 +193,22 @@ Followed follow_three_levels(std::uint64_t seed) {
   }
   Followed followed;
   std::size_t right = 0;
-  auto hint = run->motion.begin();
-  for (std::size_t i = 0; i < run->scans.firings.size(); ++i) {
-    for (; hint != run->motion.end() && hint->time_s <= run->scans.firings[i].time_s; ++hint) {
+  auto hint = run.motion.begin();
+  for (std::size_t i = 0; i < run.scans.firings.size(); ++i) {
+    for (; hint != run.motion.end() && hint->time_s <= run.scans.firings[i].time_s; ++hint) {
       (*session)->on_motion(*hint);
     }
-    (void)(*session)->on_firing(run->scans.firings[i]);
+    (void)(*session)->on_firing(run.scans.firings[i]);
     const Estimate& e = (*session)->estimate();
     if (e.room == kNoRoom) continue;
     followed.highest = std::max(followed.highest, westport().room(e.room).level);
     followed.last_room = westport().room(e.room).id;
-    if (followed.last_room != run->truth[i].room) continue;
-    followed.mean_error_m += distance(e.pose.position, run->truth[i].pose.position);
+    if (followed.last_room != run.truth[i].room) continue;
+    followed.mean_error_m += distance(e.pose.position, run.truth[i].pose.position);
     ++right;
   }
   followed.mean_error_m /= std::max<double>(1.0, static_cast<double>(right));
-  followed.right_room = static_cast<double>(right) / static_cast<double>(run->scans.firings.size());
+  followed.right_room = static_cast<double>(right) / static_cast<double>(run.scans.firings.size());
   return followed;
 }
 

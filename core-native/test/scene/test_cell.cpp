@@ -12,6 +12,7 @@
 #include "echoway/random.hpp"
 #include "scene/scene.hpp"
 #include "scene/visibility.hpp"
+#include "support/looking.hpp"
 #include "support/plans.hpp"
 #include "support/whole_room.hpp"
 #include "tracker/likelihood.hpp"
@@ -28,19 +29,6 @@ Building furnished_office() {
   b.rooms[1].reflectors.push_back({{1.0, 3.4}, {2.6, 3.4}});
   b.rooms[0].walls.push_back({{4.0, 0.6}, {4.0, 1.4}});  // A screen in the hall.
   return b;
-}
-
-void expect_same(const ExpectedEchoes& some, const ExpectedEchoes& all) {
-  ASSERT_EQ(some.count, all.count);
-  for (int k = 0; k < some.count; ++k) {
-    const auto& a = some.echo[static_cast<std::size_t>(k)];
-    const auto& b = all.echo[static_cast<std::size_t>(k)];
-    ASSERT_EQ(a.range, b.range);
-    ASSERT_EQ(a.chance, b.chance);
-    ASSERT_EQ(a.extra_variance, b.extra_variance);
-    ASSERT_EQ(a.gradient_x, b.gradient_x);
-    ASSERT_EQ(a.gradient_y, b.gradient_y);
-  }
 }
 
 // Compares firings from random places in every `stride`-th cell of the building's rooms with the whole room. Returns
@@ -61,20 +49,16 @@ int compare_cells(const Building& building, std::size_t stride, int firings_per_
       const double column = c % room.columns;
       const double row = c / room.columns;
       for (int i = 0; i < firings_per_cell; ++i) {
-        tracker::Particle p;
-        p.room = static_cast<RoomIndex>(r);
-        p.position =
-            room.grid_origin + room.cell_size * Vec2{column + random.uniform(0.0, 1.0), row + random.uniform(0.0, 1.0)};
-        p.heading = random.uniform(-kPi, kPi);
-        const auto facing = tracker::fast_sincos(p.heading);
-        p.facing = {facing.cos, facing.sin};
+        const Vec2 within{column + random.uniform(0.0, 1.0), row + random.uniform(0.0, 1.0)};
+        const Vec2 place = room.grid_origin + room.cell_size * within;
+        const auto p = test::standing(static_cast<RoomIndex>(r), place, random.uniform(-kPi, kPi));
         tracker::Shot shot;
         shot.coarse = i % 3 == 0;
         const ExpectedEchoes some = tracker::expect(p, shot, model, compiled);
         SCOPED_TRACE(::testing::Message()
                      << "room " << building.rooms[r].id << " at " << p.position.x << ", " << p.position.y << " heading "
                      << p.heading << (shot.coarse ? " coarse" : ""));
-        expect_same(some, whole.expect(p, shot, model));
+        test::expect_same(some, whole.expect(p, shot, model));
         if (::testing::Test::HasFatalFailure()) return compared;
         compared += some.count;
       }

@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "echoway/building/loader.hpp"
-#include "tracker/elementary.hpp"
+#include "support/looking.hpp"
 #include "tracker/floor.hpp"
+#include "tracker/panorama.hpp"
 #include "tracker/plans.hpp"
 #include "tracker/searching.hpp"
 
@@ -90,54 +92,39 @@ TEST_F(SearchGridTest, TriesOneRoomAloneWhereThatIsKnown) {
   for (const Place& p : places(told)) EXPECT_EQ(p.room, 1);
 }
 
-void expect_same(const ExpectedEchoes& some, const ExpectedEchoes& all) {
-  ASSERT_EQ(some.count, all.count);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(some.count); ++k) {
-    ASSERT_EQ(some.echo[k].range, all.echo[k].range);
-    ASSERT_EQ(some.echo[k].chance, all.echo[k].chance);
-  }
-}
+struct SightsTest : SearchingTest, ::testing::WithParamInterface<const char*> {
+  SightsTest() : SearchingTest(std::move(*load_building(std::filesystem::path(ECHOWAY_MAPS_DIR) / GetParam()))) {}
+};
 
-// Looks in every direction of a panorama from some of the grid's places. Returns how many echoes were compared.
-int compare_sights(const Building& building) {
-  const BeltConfig belt;
-  const EchoModel model(belt, {});
-  scene::Scene scene(building, model.sight_limits());
-  scene::Scene cells(building, model.sight_limits());
-  const MotionParameters motion;
-  const History history;
-  const SearchTools tools{model, scene, motion, belt, history, building, 0.0, 0.004, 0.0, 0.5};
+TEST_P(SightsTest, WhatABlockSeesIsWhatEachOfItsPlacesSees) {
+  scene::Scene cells(building_, model_.sight_limits());
   SearchGrid grid(kSpacing);
   grid.start({});
+  Shot shot;
+  shot.radius = belt_.radius_m;
+  shot.coarse = true;
   int compared = 0;
-  for (int n = 0; grid.next(tools, {}); ++n) {
+  for (int n = 0; grid.next(tools(), {}); ++n) {
     if (n % 7 != 0) continue;
-    Particle p;
-    p.room = grid.room();
-    p.position = grid.position();
-    Shot shot;
-    shot.radius = belt.radius_m;
-    shot.coarse = true;
-    for (int k = 0; k < 30; ++k) {
-      p.heading = wrap_near(kTwoPi * k / 30);
-      p.facing = unit_from_angle(p.heading);
-      const ExpectedEchoes seen = expect_from(grid.seen(tools), scene.room(p.room), p, shot, model);
+    for (int k = 0; k < Panorama::kDirections; ++k) {
+      const double heading = wrap_near(kTwoPi * k / Panorama::kDirections);
+      const Particle p = test::standing(grid.room(), grid.position(), heading);
+      const ExpectedEchoes seen = expect_from(grid.seen(tools()), scene_.room(p.room), p, shot, model_);
       SCOPED_TRACE(::testing::Message() << "room " << p.room << " at " << p.position.x << ", " << p.position.y
                                         << " heading " << p.heading);
-      expect_same(seen, expect(p, shot, model, cells));
-      if (::testing::Test::HasFatalFailure()) return compared;
+      ASSERT_NO_FATAL_FAILURE(test::expect_same(seen, expect(p, shot, model_, cells)));
       compared += seen.count;
     }
   }
-  return compared;
+  EXPECT_GT(compared, 1000);
 }
 
-TEST(SearchGrid, WhatABlockSeesIsWhatEachOfItsPlacesSees) {
-  EXPECT_GT(compare_sights(test::small_office()), 1000);
-  Result<Building> lab = load_building(std::filesystem::path(ECHOWAY_MAPS_DIR) / "torgersen-lab");
-  ASSERT_TRUE(lab.ok());
-  EXPECT_GT(compare_sights(*lab), 1000);
-}
+INSTANTIATE_TEST_SUITE_P(Maps, SightsTest, ::testing::Values("two-rooms", "similar-rooms", "torgersen-lab"),
+                         [](const auto& name) {
+                           std::string said = name.param;
+                           std::ranges::replace(said, '-', '_');
+                           return said;
+                         });
 
 }  // namespace
 }  // namespace echoway::tracker
