@@ -39,6 +39,8 @@ struct Particle {
   double turn_rate = 0.0;    ///< rad/s, when no gyroscope tells.
   double away_s = 0.0;       ///< Seconds since the particle set out on stairs or an elevator,
   std::int32_t link_end = 0; ///< and on which: an end of LevelLinks.
+  double foreseen = 1.0;     ///< Factor that takes back, for each firing that a search knew when it drew the particle,
+                             ///< what that firing had to do with its choice.
   Strangers strangers{};     ///< What answered of late and is in no plan.
 };
 

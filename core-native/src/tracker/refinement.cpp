@@ -39,12 +39,13 @@ struct Past {
   Stride stride;             ///< Since the firing before,
   bool first = false;        ///< which does not count for the first.
   double evidence = 0.0;     ///< Share of what it says that counts.
+  bool foreseen = false;
 };
 
-Past past_of(std::uint64_t firing, std::uint64_t first, const SearchTools& tools) noexcept {
+Past past_of(std::uint64_t firing, std::uint64_t first, bool foreseen, const SearchTools& tools) noexcept {
   const Record& record = tools.history[firing];
   return {shot_of_past(record, tools.belt), Stride(record.interval, tools.motion, tools.pace), firing == first,
-          share_of(firing, first, tools.belt) * record.novelty};
+          share_of(firing, first, tools.belt) * record.novelty, foreseen};
 }
 
 void replay(Particle& p, const Past& past, const SearchTools& tools, Random& random) noexcept {
@@ -52,15 +53,17 @@ void replay(Particle& p, const Past& past, const SearchTools& tools, Random& ran
   if (past.shot.trust > 0.0) {
     p.weight *= tempered(assimilate(p, past.shot, tools.model, tools.scene).density, past.evidence);
   }
+  if (past.foreseen) p.weight *= p.foreseen;
   p.weight *= std::max(1e-9, settle_on_floor(p, tools.scene));
 }
 
 }  // namespace
 
-void Refinement::begin(std::uint64_t first, bool modes) noexcept {
+void Refinement::begin(std::uint64_t first, std::uint64_t foreseen, bool modes) noexcept {
   in_modes_ = modes;
   population_.clear();
   first_ = reached_ = round_end_ = first;
+  foreseen_end_ = first + foreseen;
   cursor_ = 0;
   log_evidence_ = 0.0;
 }
@@ -76,7 +79,10 @@ bool Refinement::work(const SearchTools& tools, Random& random, std::size_t budg
     }
     std::array<Past, kRound> round;
     const auto firings = static_cast<std::size_t>(round_end_ - reached_);
-    for (std::size_t i = 0; i < firings; ++i) round[i] = past_of(reached_ + i, first_, tools);
+    for (std::size_t i = 0; i < firings; ++i) {
+      const std::uint64_t firing = reached_ + i;
+      round[i] = past_of(firing, first_, firing < foreseen_end_, tools);
+    }
     const auto particles = population_.particles();
     for (; cursor_ < particles.size() && spent_ < budget; ++cursor_) {
       const std::size_t compiled = tools.scene.compile_work();

@@ -15,13 +15,18 @@ namespace echoway::tracker {
 /// that runs behind and catches up, cut into slices. Once every sensor was heard twice and few places are left,
 /// they are modes, and the evidence between them counts as little as it does in the tracker: what stands in no
 /// plan would drop the right one.
+///
+/// Particles are drawn by a look ahead (Lin, Chen and Liu 2013): the sweep knew the first firings. What it made of them
+/// is taken back firing by firing as they are replayed, not at once: the particles of the best places would begin with
+/// the least weight, and most be gone before the firings come that speak for them.
 class Refinement {
  public:
   explicit Refinement(std::size_t capacity) : population_(capacity), modes_(capacity, Modes::Parameters{}) {}
 
-  /// Empties it; particles pushed now stand just before firing number `first` of the history. `modes`: whether the few
-  /// places that are left become modes.
-  void begin(std::uint64_t first, bool modes) noexcept;
+  /// Empties it; particles pushed now stand just before firing number `first` of the history, and were drawn in the
+  /// knowledge of so many firings from there on as `foreseen` says. `modes`: whether the few places that are left become
+  /// modes.
+  void begin(std::uint64_t first, std::uint64_t foreseen, bool modes) noexcept;
   [[nodiscard]] Population& population() noexcept { return population_; }
 
   /// Replays about `budget` firings of single particles, or fewer where cells must first be compiled: of that, so many
@@ -42,6 +47,7 @@ class Refinement {
   Modes modes_;
   bool in_modes_ = false;
   std::uint64_t first_ = 0;            ///< Its interval, from the firing before, is not walked.
+  std::uint64_t foreseen_end_ = 0;     ///< Firings before this one were known to who drew the particles.
   std::uint64_t reached_ = 0;          ///< All particles have heard the firings before this one,
   std::uint64_t round_end_ = 0;        ///< and those before the cursor the ones before this.
   std::size_t cursor_ = 0;

@@ -121,7 +121,7 @@ Particle Search::candidate(const SearchTools& tools, RoomIndex room, Vec2 positi
 
 // The way since the window began, by what the gyroscope says and at one metre a second: the same for all candidates.
 void Search::reckon(const SearchTools& tools) noexcept {
-  const std::uint64_t end = std::min(end_, begin_ + kMostSwept);
+  const std::uint64_t end = begin_ + window();
   swept_ = 0;
   double turn = 0.0, seconds = 0.0;
   Vec2 way{};
@@ -249,7 +249,7 @@ void Search::in_order_of_place() noexcept {
 }
 
 void Search::draw_from_survivors(const SearchTools& tools, Random& random) noexcept {
-  refinement_.begin(begin_, looks_all_over());
+  refinement_.begin(begin_, window(), looks_all_over());
   if (count_ == 0) return;
   in_order_of_place();
   double best = kNowhere;
@@ -273,8 +273,8 @@ void Search::draw_from_survivors(const SearchTools& tools, Random& random) noexc
     p.speed = p.gait == Gait::standing ? 0.0 : motion.start_speed + motion.start_speed_sigma * cheap_normal(random);
     const double sigma = p.gait == Gait::standing ? motion.standing_sigma : kDrawnSpeedSigma;
     p.cov.ss = sigma * sigma;
-    // Prior over proposal.
-    p.weight = fast_exp(-kFlattening * (s.log_likelihood - best)) * step;
+    p.weight = step;
+    p.foreseen = fast_exp(-kFlattening * (s.log_likelihood - best) / static_cast<double>(window()));
     p.gyro_bias += motion.gyro_bias_sigma * cheap_normal(random);
     refinement_.population().push(p);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -45,7 +46,7 @@ class Search {
 
   Search(const scene::Scene& scene, const Parameters& parameters);
 
-  /// Starts over the firings [`begin`, `end`) of the history. No allocation.
+  /// Starts over the firings [`begin`, `end`) of the history, one at least. No allocation.
   void start(SearchDomain domain, std::uint64_t begin, std::uint64_t end) noexcept;
   void stop() noexcept { phase_ = Phase::idle; }
   [[nodiscard]] bool running() const noexcept { return phase_ == Phase::sweeping || phase_ == Phase::refining; }
@@ -102,6 +103,10 @@ class Search {
     bool echo = false;
     double log_belief = 0.0;             ///< What the belief made of it.
   };
+  /// Firings from the window's begin on that the sweep goes through.
+  [[nodiscard]] std::uint64_t window() const noexcept {
+    return std::min<std::uint64_t>(end_ - begin_, kMostSwept);
+  }
   void reckon(const SearchTools& tools) noexcept;
   void put_echoes_first() noexcept;
   void enter_belief() noexcept;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tracker/plans.hpp"
 #include "tracker/searching.hpp"
 
@@ -12,6 +14,14 @@ constexpr double kAside = 0.8;  // Metres from the wall beside: the one on the r
 constexpr Vec2 kHere{1.5, kAside};
 constexpr Vec2 kThere{1.5, test::kFarCorner.y - kAside};
 constexpr int kAhead = 0, kLeft = 4;  // Sensors.
+
+constexpr int kParticles = 400;
+
+/// How many particles were drawn where nobody stands, by who knew so many firings from the first on.
+struct Drawn {
+  int there = kParticles / 2;
+  std::uint64_t foreseen = 0;
+};
 
 class RefinementTest : public SearchingTest {
  protected:
@@ -24,17 +34,20 @@ class RefinementTest : public SearchingTest {
     history_.push(record);
   }
 
-  /// How likely the place is where nobody stands, once particles at both have caught up.
-  double weight_there() {
-    Refinement refinement(400);
-    refinement.begin(0, true);
-    for (int i = 0; i < 400; ++i) {
+  /// How likely the place is where nobody stands, once particles at both have caught up. Both were as likely before.
+  double weight_there(Drawn drawn = {}) {
+    Refinement refinement(kParticles);
+    refinement.begin(0, drawn.foreseen, true);
+    const double odds = static_cast<double>(drawn.there) / (kParticles - drawn.there);
+    for (int i = 0; i < kParticles; ++i) {
+      const bool there = i < drawn.there;
       Particle p;
-      p.weight = 1.0 / 400.0;
+      p.weight = 1.0 / kParticles;
       p.room = 0;
-      p.position = i % 2 == 0 ? kHere : kThere;
+      p.position = there ? kThere : kHere;
       p.cov.xx = p.cov.yy = 0.01;
       p.cov.kk = 1e-5;
+      if (there && drawn.foreseen > 0) p.foreseen = std::pow(odds, -1.0 / static_cast<double>(drawn.foreseen));
       refinement.population().push(p);
     }
     while (!refinement.work(tools(), random_, 10000, 1)) {
@@ -60,6 +73,18 @@ TEST_F(RefinementTest, PlacesThatNothingTellsApartStayAsLikelyAsTheyWere) {
   for (int i = 0; i < 120; ++i) hear(kAhead, test::kFarCorner.x - kHere.x);
   const double there = weight_there();
   EXPECT_NEAR(there, 0.5, 0.1);
+}
+
+TEST_F(RefinementTest, WhatParticlesWereDrawnByIsTakenBack) {
+  for (int i = 0; i < 120; ++i) hear(kAhead, test::kFarCorner.x - kHere.x);
+  EXPECT_NEAR(weight_there({.there = 300, .foreseen = 15}), 0.5, 0.1);
+}
+
+// The first firings speak for one place and all together for the other one.
+TEST_F(RefinementTest, WhoWasDrawnForWhatComesLaterIsStillThereThen) {
+  for (int i = 0; i < 3; ++i) hear(kLeft, test::kFarCorner.y - kAside);
+  for (int i = 0; i < 7; ++i) hear(kLeft, kAside);
+  EXPECT_GT(weight_there({.there = 395, .foreseen = 10}), 0.5);
 }
 
 }  // namespace
