@@ -71,6 +71,7 @@ bool BayesLocator::Core::on_firing(const Firing& firing) {
 
   if (const auto rate = hints_.take_still_rate()) stand_still(*rate);
   const Evidence evidence = take_evidence(record, firing.time_s);
+  record.gait = evidence.gait;
   if (!main_.empty()) track(record, evidence);
   choose_model(record);
   pursue_search();

@@ -12,6 +12,7 @@ namespace echoway::tracker {
 /// A firing as the filter used it, kept so that a search can try other places on the same evidence.
 struct Record {
   Interval interval{};       ///< Since the firing before.
+  HintIntegrator::GaitEvidence gait{};   ///< What steps, or their absence, told of it.
   int sensor = 0;
   bool echo = false;
   double range = 0.0;

@@ -44,7 +44,8 @@ struct Past {
 
 Past past_of(std::uint64_t firing, std::uint64_t first, bool foreseen, const SearchTools& tools) noexcept {
   const Record& record = tools.history[firing];
-  return {shot_of_past(record, tools.belt), Stride(record.interval, tools.motion, tools.pace), firing == first,
+  const Stride stride(record.interval, tools.motion, tools.pace, record.gait);
+  return {shot_of_past(record, tools.belt), stride, firing == first,
           share_of(firing, first, tools.belt) * record.novelty, foreseen};
 }
 

@@ -23,9 +23,8 @@ class Refinement {
  public:
   explicit Refinement(std::size_t capacity) : population_(capacity), modes_(capacity, Modes::Parameters{}) {}
 
-  /// Empties it; particles pushed now stand just before firing number `first` of the history, and were drawn in the
-  /// knowledge of so many firings from there on as `foreseen` says. `modes`: whether the few places that are left become
-  /// modes.
+  /// Empties it; particles pushed now stand just before firing number `first` of the history. Who drew them knew so
+  /// many firings from there on as `foreseen` says. `modes`: whether the few places that are left become modes.
   void begin(std::uint64_t first, std::uint64_t foreseen, bool modes) noexcept;
   [[nodiscard]] Population& population() noexcept { return population_; }
 

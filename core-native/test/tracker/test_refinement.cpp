@@ -34,6 +34,15 @@ class RefinementTest : public SearchingTest {
     history_.push(record);
   }
 
+  /// Of those particles, once all have caught up.
+  double weight_of(Refinement& refinement, bool (*is_one)(const Particle&)) {
+    while (!refinement.work(tools(), random_, 10000, 1)) {
+    }
+    double weight = 0.0;
+    for (const Particle& p : refinement.population().particles()) weight += is_one(p) ? p.weight : 0.0;
+    return weight;
+  }
+
   /// How likely the place is where nobody stands, once particles at both have caught up. Both were as likely before.
   double weight_there(Drawn drawn = {}) {
     Refinement refinement(kParticles);
@@ -50,11 +59,7 @@ class RefinementTest : public SearchingTest {
       if (there && drawn.foreseen > 0) p.foreseen = std::pow(odds, -1.0 / static_cast<double>(drawn.foreseen));
       refinement.population().push(p);
     }
-    while (!refinement.work(tools(), random_, 10000, 1)) {
-    }
-    double there = 0.0;
-    for (const Particle& p : refinement.population().particles()) there += p.position.y > 1.5 ? p.weight : 0.0;
-    return there;
+    return weight_of(refinement, [](const Particle& p) { return p.position.y > 1.5; });
   }
 };
 
@@ -85,6 +90,25 @@ TEST_F(RefinementTest, WhoWasDrawnForWhatComesLaterIsStillThereThen) {
   for (int i = 0; i < 3; ++i) hear(kLeft, test::kFarCorner.y - kAside);
   for (int i = 0; i < 7; ++i) hear(kLeft, kAside);
   EXPECT_GT(weight_there({.there = 395, .foreseen = 10}), 0.5);
+}
+
+TEST_F(RefinementTest, StepsTellThoseWhoCatchUpThatTheyWalk) {
+  for (int i = 0; i < 40; ++i) {
+    Record record = record_of(i % belt_.sensors);
+    if (i % 10 == 5) record.gait.standing = 0.1;   // A step.
+    history_.push(record);
+  }
+  Refinement refinement(kParticles);
+  refinement.begin(0, 0, true);
+  for (int i = 0; i < kParticles; ++i) {
+    Particle p;
+    p.weight = 1.0 / kParticles;
+    p.room = 0;
+    p.position = 0.5 * test::kFarCorner;
+    p.gait = i % 2 == 0 ? Gait::standing : Gait::walking;
+    refinement.population().push(p);
+  }
+  EXPECT_GT(weight_of(refinement, [](const Particle& p) { return p.gait == Gait::walking; }), 0.9);
 }
 
 }  // namespace
