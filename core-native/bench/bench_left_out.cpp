@@ -42,8 +42,7 @@ tracker::Particle particle(RoomIndex room, Vec2 at, double heading) {
   p.room = room;
   p.position = at;
   p.heading = heading;
-  const auto facing = tracker::fast_sincos(heading);
-  p.facing = {facing.cos, facing.sin};
+  tracker::face_heading(p);
   return p;
 }
 

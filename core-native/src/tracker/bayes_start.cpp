@@ -99,8 +99,7 @@ void BayesLocator::Core::place_known(const Pose2& pose, RoomIndex room, bool hea
     const double share = (static_cast<double>(i) + random_.uniform()) / static_cast<double>(count);
     p.heading = kTwoPi * share - kPi;
     if (heading_known) p.heading = wrap_near(pose.heading + kStartHeadingSigma * cheap_normal(random_));
-    const SinCos f = fast_sincos(p.heading);
-    p.facing = {f.cos, f.sin};
+    face_heading(p);
     const bool walks = i % 2 == 0;
     p.gait = walks ? Gait::walking : Gait::standing;
     p.speed = !walks ? 0.0 : i % 4 == 0 ? pace_ : random_.uniform(motion_.slowest_pace, motion_.fastest_pace);

@@ -136,8 +136,7 @@ void LevelLinks::arrive(Particle& p, const End& end, bool turn_known, Random& ra
   p.position = end.to_at;
   p.heading = turn_known ? p.heading + end.turn + kLandingTurnSigma * cheap_normal(random) : random.uniform(-kPi, kPi);
   p.heading = wrap_near(p.heading);
-  const SinCos f = fast_sincos(p.heading);
-  p.facing = {f.cos, f.sin};
+  face_heading(p);
   p.gait = end.stairs ? Gait::walking : Gait::standing;
   const double scale = p.cov.kk;
   p.cov = {};

@@ -140,8 +140,7 @@ void Stride::advance(Particle& p, Random& random) const noexcept {
     p.strangers.move(interval_.seconds * p.speed * p.facing);   // Treads are climbed about as fast.
   }
   p.heading = wrap_near(p.heading);
-  const SinCos end = fast_sincos(p.heading);
-  p.facing = {end.cos, end.sin};
+  face_heading(p);
 }
 
 }  // namespace echoway::tracker

@@ -23,8 +23,7 @@ const Panorama::Sight& Panorama::towards(double angle, double radius, const Echo
   Particle p;
   p.position = position_;
   p.heading = wrap_near(kTwoPi * static_cast<double>(at) / kDirections);
-  const SinCos f = fast_sincos(p.heading);
-  p.facing = {f.cos, f.sin};
+  face_heading(p);
   Shot shot;
   shot.radius = radius;
   shot.coarse = true;

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "tracker/elementary.hpp"
-
 namespace echoway::tracker {
 
 void turn(Particle& p, Vec2 rotation) noexcept {

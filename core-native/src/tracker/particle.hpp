@@ -4,6 +4,7 @@
 
 #include "echoway/building/building.hpp"
 #include "echoway/geometry/vec2.hpp"
+#include "tracker/elementary.hpp"
 #include "tracker/strangers.hpp"
 
 namespace echoway::tracker {
@@ -43,6 +44,12 @@ struct Particle {
                              ///< what that firing had to do with its choice.
   Strangers strangers{};     ///< What answered of late and is in no plan.
 };
+
+/// After `heading` was set: the same of `facing`.
+inline void face_heading(Particle& p) noexcept {
+  const SinCos f = fast_sincos(p.heading);
+  p.facing = {f.cos, f.sin};
+}
 
 /// Turns a particle where it stands, with all that it knows, by the angle whose cosine and sine `rotation` holds: into
 /// the frame of another room, say.

@@ -108,8 +108,7 @@ Particle Search::candidate(const SearchTools& tools, RoomIndex room, Vec2 positi
   p.room = room;
   p.position = position;
   p.heading = wrap_near(heading);
-  const SinCos f = fast_sincos(p.heading);
-  p.facing = {f.cos, f.sin};
+  face_heading(p);
   p.speed = tools.motion.start_speed;
   p.gyro_bias = tools.gyro_bias;
   p.log_scale = tools.log_scale;

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tracker/elementary.hpp"
 #include "tracker/likelihood.hpp"
 
 /// What somebody at a place expects to hear.
@@ -14,8 +13,7 @@ inline tracker::Particle standing(RoomIndex room, Vec2 position, double heading)
   p.room = room;
   p.position = position;
   p.heading = heading;
-  const tracker::SinCos f = tracker::fast_sincos(heading);
-  p.facing = {f.cos, f.sin};
+  tracker::face_heading(p);
   return p;
 }
 
