@@ -1,8 +1,18 @@
 #include "tracker/strangers.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace echoway::tracker {
+namespace {
+
+std::int16_t in_millimetres(double metres) noexcept {
+  constexpr double kMost = std::numeric_limits<std::int16_t>::max();
+  return static_cast<std::int16_t>(std::clamp(std::floor(1000.0 * metres + 0.5), -kMost, kMost));
+}
+
+}  // namespace
 
 void Strangers::turn(Vec2 rotation) noexcept {
   std::array<Vec2, kSlots> here;
@@ -17,8 +27,8 @@ void Strangers::note(std::size_t slot, Vec2 from_here, double chance) noexcept {
 }
 
 void Strangers::put(std::size_t slot, Vec2 from_here) noexcept {
-  x_[slot] = static_cast<float>(way_.x + from_here.x);
-  y_[slot] = static_cast<float>(way_.y + from_here.y);
+  x_[slot] = in_millimetres(way_.x + from_here.x);
+  y_[slot] = in_millimetres(way_.y + from_here.y);
 }
 
 }  // namespace echoway::tracker

@@ -18,7 +18,10 @@ class Strangers {
   static constexpr std::size_t kSlots = 16;
 
   /// The particle went so far, metres in its room's frame.
-  void move(Vec2 by) noexcept { way_ = way_ + by; }
+  void move(Vec2 by) noexcept {
+    way_ = way_ + by;
+    if (!(squared_norm(way_) < kFarOn * kFarOn)) turn({1.0, 0.0});   // Which begins the way anew.
+  }
   /// The room's frame is another one now, `rotation` the cosine and sine by which directions change.
   void turn(Vec2 rotation) noexcept;
   /// None is known.
@@ -28,16 +31,20 @@ class Strangers {
   void note(std::size_t slot, Vec2 from_here, double chance) noexcept;
   /// That chance, to 1/255; 0 if nothing is known.
   [[nodiscard]] double chance(std::size_t slot) const noexcept { return chance_[slot] * (1.0 / kSure); }
-  /// Where that is now, metres from the particle in the room's frame.
-  [[nodiscard]] Vec2 from_here(std::size_t slot) const noexcept { return Vec2{x_[slot], y_[slot]} - way_; }
+  /// Where that is now, metres from the particle in the room's frame; to a millimetre.
+  [[nodiscard]] Vec2 from_here(std::size_t slot) const noexcept {
+    return Vec2{x_[slot] * kMillimetre, y_[slot] * kMillimetre} - way_;
+  }
 
  private:
   static constexpr double kSure = 255.0;
+  static constexpr double kMillimetre = 1e-3;
+  static constexpr double kFarOn = 15.0;    ///< Metres: numbers so short reach to 32, and sensors about 11.
 
   void put(std::size_t slot, Vec2 from_here) noexcept;
 
-  Vec2 way_{};                              ///< Gone since the frame was last turned, and where they stand
-  std::array<float, kSlots> x_{}, y_{};     ///< from there. There are thousands of particles, hence short numbers.
+  Vec2 way_{};                                   ///< Gone since it began anew, and where they stand from there,
+  std::array<std::int16_t, kSlots> x_{}, y_{};   ///< millimetres: there are thousands of particles.
   std::array<std::uint8_t, kSlots> chance_{};
 };
 
