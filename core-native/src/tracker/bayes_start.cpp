@@ -24,6 +24,7 @@ constexpr std::size_t kUnderstudyCapacity = 1200;
 
 EchoModelParameters echo_parameters(const TrackerParts& parts) {
   EchoModelParameters p;
+  if (!parts.furniture) p.furnished = 0.0;
   if (!parts.rough_walls) p.rough = 0.0;
   if (!parts.mirrored_corners) p.detect_mirrored = 0.0;
   return p;

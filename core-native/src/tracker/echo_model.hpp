@@ -37,7 +37,7 @@ struct EchoModelParameters {
   double arm_length_m = 0.25;         ///< much nearer still;
   double late = 0.10;                 ///< or the first echo of an unanswered firing comes by two or more reflections.
   double ghost = 0.02;                ///< A reading out of nowhere, uniform over the sensor's range.
-  double furnished = 0.0;             ///< Something stands with its back to a wall that would answer, and does instead:
+  double furnished = 0.2;             ///< Something stands with its back to a wall that would answer, and does instead:
   double furniture_least_m = 0.25;    ///< a cupboard, a shelf or a sofa, at least so deep
   double furniture_most_m = 0.75;     ///< and at most,
   double furniture_softness_m = 0.10; ///< give or take so much.

@@ -35,7 +35,7 @@ struct Sighting {
 };
 
 Sighting sighting(double range, double chance, double extra_variance, Vec2 gradient, Vec2 target) noexcept {
-  return {{range, chance, extra_variance, gradient.x, gradient.y, false}, target.x, target.y};
+  return {{range, chance, extra_variance, gradient.x, gradient.y, 0, false}, target.x, target.y};
 }
 
 // A rough wall answers from where the axis meets it, give or take what the beam's width blurs.
@@ -212,6 +212,7 @@ ExpectedEchoes look(const Cell& cell, const RoomScene& room, const Particle& p, 
     const Reflector& r = room.reflectors[entry.reflector];
     Sighting seen;
     if (!see(room, r, view, seen) || seen.echo.chance <= 0.0) continue;
+    seen.echo.reflector = entry.reflector;
     if (comes_back(room, cell, entry, r, view.eye, seen)) insert_sorted(list, seen.echo);
   }
   return list;

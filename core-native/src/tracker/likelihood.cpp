@@ -13,12 +13,23 @@ namespace {
 constexpr double kThereAgain = 0.3;             // Chance that what answered once answers again from where it stood,
 constexpr double kBesideAxis2 = 0.96 * 0.96;    // if by this squared cosine or less off the axis: 16 degrees;
 constexpr double kAlikeAgain = 0.15;            // and that it does so from the same distance.
+constexpr double kFrontAgain = 0.55;            // Chance that what stands before a wall answers instead of it again,
+constexpr double kFrontSigma = 0.08;            // from as far before it, to so many metres.
+constexpr double kLeastFront = 0.1;             // What is less likely to stand there is not noted.
+
+// What may have answered from before a wall, and instead of it.
+struct FrontHeard {
+  std::uint16_t reflector = 0;
+  double depth = 0.0;      // Metres before it,
+  double density = 0.0;    // and of the range from there.
+};
 
 // What a reading tells about a particle.
 struct Hearing {
   Outcome outcome;
+  FrontHeard front;        // The likeliest.
   std::size_t count = 0;
-  std::array<Association, ExpectedEchoes::kMax> association;   // The first `count`. The rest is not zeroed.
+  std::array<Association, 2 * ExpectedEchoes::kMax> association;   // The first `count`. The rest is not zeroed.
 
   [[nodiscard]] std::span<Association> associations() noexcept { return {association.data(), count}; }
   [[nodiscard]] std::span<const Association> associations() const noexcept { return {association.data(), count}; }
@@ -91,6 +102,32 @@ double consider(const ExpectedEcho& e, double chance, const Particle& p, const S
   return density;
 }
 
+// The same of what is known to stand before a wall.
+double consider_front(const ExpectedEcho& wall, double chance, const Fronts::Front& front, const Particle& p,
+                      const Shot& shot, const EchoModel& model, Hearing& heard) noexcept {
+  ExpectedEcho face = wall;
+  face.range -= front.depth;
+  face.extra_variance += kFrontSigma * kFrontSigma;
+  return consider(face, chance * kFrontAgain * front.chance, p, shot, model, heard);
+}
+
+// Density of the shot's range from what stands before a wall, known to or not.
+struct Furniture {
+  double known = 0.0;
+  double other = 0.0;
+};
+
+Furniture consider_furniture(const ExpectedEcho& wall, double chance, const Particle& p, const Shot& shot,
+                             const EchoModel& model, Hearing& heard) noexcept {
+  const double depth = wall.range * (1.0 + p.log_scale) - shot.range;
+  Furniture before{0.0, chance * model.furniture(depth)};
+  const auto front = p.fronts.before(p.room, wall.reflector);
+  if (front) before.known = consider_front(wall, chance, *front, p, shot, model, heard);
+  const double density = model.quiet() * before.known + before.other;
+  if (density > heard.front.density) heard.front = {wall.reflector, depth, density};
+  return before;
+}
+
 Hearing hear(const Particle& p, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept {
   const ExpectedEchoes expected = expect(p, shot, model, scene);
   if (!shot.echo) return hear_nothing(expected, shot, model);
@@ -98,25 +135,30 @@ Hearing hear(const Particle& p, const Shot& shot, const EchoModel& model, scene:
   double survival = 1.0;
   double survival_at_range = 1.0;
   double explained = 0.0;
-  double furniture = 0.0;
+  Furniture furniture;
   for (int j = 0; j < expected.count; ++j) {
     const ExpectedEcho& e = expected.echo[static_cast<std::size_t>(j)];
     const double chance = survival * e.chance;
     explained += consider(e, chance, p, shot, model, heard);
-    if (e.of_wall) furniture += chance * model.furniture(e.range * (1.0 + p.log_scale) - shot.range);
+    if (e.of_wall) {
+      const Furniture before = consider_furniture(e, chance, p, shot, model, heard);
+      furniture.known += before.known;
+      furniture.other += before.other;
+    }
     survival *= 1.0 - e.chance;
     if (e.range < shot.range) survival_at_range = survival;
   }
   const double again = survival_at_range * (repeated(p, shot) + remembered(p, shot, model));
-  const double total = model.echo(explained, survival_at_range, shot.range, furniture, again);
+  const double total = model.echo(explained + furniture.known, survival_at_range, shot.range, furniture.other, again);
   const double density = std::max(kLeastDensity, total);
-  const double plan = std::max(kLeastDensity, total - model.heard() * again);
+  const double known = again + model.quiet() * furniture.known;
+  const double plan = std::max(kLeastDensity, total - model.heard() * known);
 
   const double scale = shot.trust * model.heard() * model.quiet() / density;
-  double mapped = 0.0;
-  for (Association& a : heard.associations()) mapped += a.share *= scale;
+  for (Association& a : heard.associations()) a.share *= scale;
+  heard.front.density *= model.heard() / density;
   const double anything = (1.0 - shot.trust) * model.unexplained(shot.range);
-  heard.outcome = {shot.trust * density + anything, shot.trust * plan + anything, mapped};
+  heard.outcome = {shot.trust * density + anything, shot.trust * plan + anything, scale * explained};
   return heard;
 }
 
@@ -124,6 +166,11 @@ void note_stranger(Particle& p, const Shot& shot, const Outcome& outcome) noexce
   if (!shot.echo) return;
   const Vec2 from_here = (shot.radius + shot.range) * axis_of(p, shot);
   p.strangers.note(EchoRepeats::slot_of(shot.sensor), from_here, 1.0 - outcome.mapped);
+}
+
+void note_front(Particle& p, const Shot& shot, const FrontHeard& front) noexcept {
+  const double chance = shot.trust * front.density;
+  if (chance > kLeastFront) p.fronts.note(p.room, front.reflector, {front.depth, chance});
 }
 
 }  // namespace
@@ -149,6 +196,7 @@ Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene:
   const Hearing heard = hear(p, shot, model, scene);
   merge(p, heard.associations());
   note_stranger(p, shot, heard.outcome);
+  note_front(p, shot, heard.front);
   return heard.outcome;
 }
 
@@ -157,6 +205,7 @@ Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene:
   const Hearing heard = hear(p, shot, model, scene);
   merge_or_choose(p, heard.associations(), random);
   note_stranger(p, shot, heard.outcome);
+  note_front(p, shot, heard.front);
   return heard.outcome;
 }
 

@@ -47,6 +47,7 @@ struct ExpectedEcho {
   double extra_variance;    ///< Metres^2, besides the model's.
   double gradient_x;        ///< Of `range` over position.
   double gradient_y;
+  std::uint16_t reflector;  ///< Which answers: RoomScene::reflectors.
   bool of_wall;             ///< A wall squarely in the beam, before which furniture may stand.
 
   [[nodiscard]] Vec2 gradient() const noexcept { return {gradient_x, gradient_y}; }

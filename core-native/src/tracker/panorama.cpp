@@ -40,7 +40,7 @@ const Panorama::Sight& Panorama::towards(double angle, double radius, const Echo
 double density_of(const Panorama::Sight& sight, bool echo, double range, const Offset& offset,
                   const EchoModel& model) noexcept {
   if (!echo) return model.silence(sight.silence);
-  double survival = 1.0, survival_at_range = 1.0, explained = 0.0;
+  double survival = 1.0, survival_at_range = 1.0, explained = 0.0, furniture = 0.0;
   for (int j = 0; j < sight.echoes.count; ++j) {
     const ExpectedEcho& e = sight.echoes.echo[static_cast<std::size_t>(j)];
     const double expected = e.range + dot(e.gradient(), offset.moved);
@@ -52,10 +52,11 @@ double density_of(const Panorama::Sight& sight, bool echo, double range, const O
     if (innovation2 < kGate2 * variance) {
       explained += survival * e.chance * kInvSqrtTwoPi / std::sqrt(variance) * fast_exp(-0.5 * innovation2 / variance);
     }
+    if (e.of_wall) furniture += survival * e.chance * model.furniture(-innovation);
     survival *= 1.0 - e.chance;
     if (expected < range) survival_at_range = survival;
   }
-  return std::max(kLeastDensity, model.echo(explained, survival_at_range, range));
+  return std::max(kLeastDensity, model.echo(explained, survival_at_range, range, furniture));
 }
 
 }  // namespace echoway::tracker

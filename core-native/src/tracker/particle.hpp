@@ -5,6 +5,7 @@
 #include "echoway/building/building.hpp"
 #include "echoway/geometry/vec2.hpp"
 #include "tracker/elementary.hpp"
+#include "tracker/fronts.hpp"
 #include "tracker/strangers.hpp"
 
 namespace echoway::tracker {
@@ -42,6 +43,7 @@ struct Particle {
   std::int32_t link_end = 0; ///< and on which: an end of LevelLinks.
   double foreseen = 1.0;     ///< Factor that takes back, for each firing that a search knew when it drew the particle,
                              ///< what that firing had to do with its choice.
+  Fronts fronts{};           ///< What stands before walls, and is in no plan.
   Strangers strangers{};     ///< What answered of late and is in no plan.
 };
 

@@ -25,6 +25,7 @@ Particle turned_about(Vec2 centre, Vec2 rotation, Particle p) noexcept {
   const Vec2 from = p.position - centre;
   p.position = centre + rotated(from, rotation);
   p.strangers.forget();   // Or nothing would surprise a twin: what it cannot explain would just answer again.
+  p.fronts.forget();      // They stand before the other walls.
   turn(p, rotation);
   return p;
 }
