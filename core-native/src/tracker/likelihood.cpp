@@ -20,8 +20,8 @@ constexpr double kLeastFront = 0.1;             // What is less likely to stand 
 // What may have answered from before a wall, and instead of it.
 struct FrontHeard {
   std::uint16_t reflector = 0;
-  double depth = 0.0;      // Metres before it,
-  double density = 0.0;    // and of the range from there.
+  double depth = 0.0;    // Metres before it.
+  double share = 0.0;    // Probability that it did.
 };
 
 // What a reading tells about a particle.
@@ -117,6 +117,7 @@ struct Furniture {
   double other = 0.0;
 };
 
+// Takes down which wall it most likely stands before, its share left as a density as those of reflectors are.
 Furniture consider_furniture(const ExpectedEcho& wall, double chance, const Particle& p, const Shot& shot,
                              const EchoModel& model, Hearing& heard) noexcept {
   const double depth = wall.range * (1.0 + p.log_scale) - shot.range;
@@ -124,7 +125,7 @@ Furniture consider_furniture(const ExpectedEcho& wall, double chance, const Part
   const auto front = p.fronts.before(p.room, wall.reflector);
   if (front) before.known = consider_front(wall, chance, *front, p, shot, model, heard);
   const double density = model.quiet() * before.known + before.other;
-  if (density > heard.front.density) heard.front = {wall.reflector, depth, density};
+  if (density > heard.front.share) heard.front = {wall.reflector, depth, density};
   return before;
 }
 
@@ -156,7 +157,7 @@ Hearing hear(const Particle& p, const Shot& shot, const EchoModel& model, scene:
 
   const double scale = shot.trust * model.heard() * model.quiet() / density;
   for (Association& a : heard.associations()) a.share *= scale;
-  heard.front.density *= model.heard() / density;
+  heard.front.share *= shot.trust * model.heard() / density;
   const double anything = (1.0 - shot.trust) * model.unexplained(shot.range);
   heard.outcome = {shot.trust * density + anything, shot.trust * plan + anything, scale * explained};
   return heard;
@@ -168,9 +169,8 @@ void note_stranger(Particle& p, const Shot& shot, const Outcome& outcome) noexce
   p.strangers.note(EchoRepeats::slot_of(shot.sensor), from_here, 1.0 - outcome.mapped);
 }
 
-void note_front(Particle& p, const Shot& shot, const FrontHeard& front) noexcept {
-  const double chance = shot.trust * front.density;
-  if (chance > kLeastFront) p.fronts.note(p.room, front.reflector, {front.depth, chance});
+void note_front(Particle& p, const FrontHeard& front) noexcept {
+  if (front.share > kLeastFront) p.fronts.note(p.room, front.reflector, {front.depth, front.share});
 }
 
 }  // namespace
@@ -196,7 +196,7 @@ Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene:
   const Hearing heard = hear(p, shot, model, scene);
   merge(p, heard.associations());
   note_stranger(p, shot, heard.outcome);
-  note_front(p, shot, heard.front);
+  note_front(p, heard.front);
   return heard.outcome;
 }
 
@@ -205,7 +205,7 @@ Outcome assimilate(Particle& p, const Shot& shot, const EchoModel& model, scene:
   const Hearing heard = hear(p, shot, model, scene);
   merge_or_choose(p, heard.associations(), random);
   note_stranger(p, shot, heard.outcome);
-  note_front(p, shot, heard.front);
+  note_front(p, heard.front);
   return heard.outcome;
 }
 

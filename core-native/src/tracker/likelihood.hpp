@@ -76,12 +76,13 @@ struct Outcome {
 ///   p(z) = (1 - deaf) [quiet sum_j c_j prod_{i<j} (1 - c_i) N(z; d_j, S_j)
 ///                      + unmapped(z) prod_{d_i < z} (1 - c_i)] + ghost,
 ///   p(none) = deaf + (1 - deaf) quiet prod (1 - c_i).
+/// What stands before walls (Fronts) or answered a moment ago (Strangers) adds to p(z) in the same way.
 /// Always finite and positive.
 [[nodiscard]] Outcome weigh(const Particle& particle, const Shot& shot, const EchoModel& model,
                             scene::Scene& scene) noexcept;
 
-/// The same, and an echo updates the particle's Gaussian, see merge(), and is taken down in `strangers`: from where,
-/// and how likely nothing in the plan answered.
+/// The same, and an echo updates the particle's Gaussian, see merge(), and is taken down in `strangers`, from where and
+/// how likely nothing in the plan answered, and in `fronts`, if something before a wall may have.
 Outcome assimilate(Particle& particle, const Shot& shot, const EchoModel& model, scene::Scene& scene) noexcept;
 /// For who is followed: see merge_or_choose(). Who is looked for may be at so many places, each of so few particles,
 /// that draws would lose them.

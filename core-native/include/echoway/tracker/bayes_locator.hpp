@@ -12,7 +12,7 @@ struct TrackerParts {
   bool silence = true;           ///< A missing echo is evidence.
   bool rough_walls = true;       ///< Near walls may answer askew.
   bool mirrored_corners = true;  ///< Corners are heard by way of walls.
-  bool furniture = true;         ///< Things that are in no plan stand with their backs to walls.
+  bool furniture = true;         ///< What is in no plan stands with its back to walls, and is known there again.
   bool repeats = true;           ///< What answered a moment ago answers again.
   bool range_rate = true;        ///< With a gyroscope, what stands in no plan tells how fast the wearer comes nearer.
   bool memory = true;            ///< Unmapped furniture is remembered.
