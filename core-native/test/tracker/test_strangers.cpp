@@ -48,6 +48,15 @@ TEST(Strangers, KeepTheirPlaceToAMillimetreAfterAWalkOfAKilometre) {
   EXPECT_NEAR(strangers.from_here(1).y, 1.0, kMillimetre);
 }
 
+TEST(Strangers, KeepTheirPlaceForWhoWalksPastThem) {
+  Strangers strangers;
+  strangers.move({0.0, -10.0});
+  strangers.note(2, {3.0, -9.0}, 1.0);
+  for (int step = 0; step < 20; ++step) strangers.move({0.0, -0.9});
+  EXPECT_NEAR(strangers.from_here(2).x, 3.0, 3.0 * kMillimetre);
+  EXPECT_NEAR(strangers.from_here(2).y, 9.0, 3.0 * kMillimetre);
+}
+
 class WayOfAStranger : public ::testing::TestWithParam<Gait> {};
 
 TEST_P(WayOfAStranger, IsThatOfWhoWalksOrClimbs) {
