@@ -30,12 +30,6 @@ EchoModelParameters echo_parameters(const TrackerParts& parts) {
   return p;
 }
 
-EchoModelParameters wary_parameters(const TrackerParts& parts) {
-  EchoModelParameters p = wary(echo_parameters(parts));
-  if (!parts.furniture) p.furnished = 0.0;
-  return p;
-}
-
 MotionParameters motion_parameters(const TrackerParts& parts) {
   MotionParameters p;
   if (!parts.sound_speed) p.scale_sigma = p.scale_drift = 1e-6;
@@ -58,7 +52,7 @@ BayesLocator::Core::Core(const Building& building, const BeltConfig& belt, const
       start_(start),
       options_(options),
       keen_(belt, echo_parameters(options.parts)),
-      wary_(belt, wary_parameters(options.parts)),
+      wary_(belt, wary(echo_parameters(options.parts))),
       deafened_(belt, hard_of_hearing(echo_parameters(options.parts))),
       scene_(building, keen_.sight_limits()),
       motion_(motion_parameters(options.parts)),

@@ -28,7 +28,7 @@ EchoModelParameters wary(EchoModelParameters parameters) {
   parameters.clutter = 0.25;
   parameters.arm = 0.08;
   parameters.ghost = 0.04;
-  parameters.furnished = 0.4;
+  parameters.furnished *= 2.0;
   return parameters;
 }
 

@@ -30,14 +30,19 @@ class Fronts {
   void forget() noexcept { *this = {}; }
 
  private:
-  [[nodiscard]] std::size_t find(RoomIndex room, std::uint16_t reflector) const noexcept;
-  [[nodiscard]] Front at(std::size_t slot) const noexcept;
-  void put(std::size_t slot, Front front) noexcept;
+  /// There are thousands of particles, hence short numbers.
+  struct Slot {
+    RoomIndex room = kNoRoom;
+    std::uint16_t reflector = 0;
+    std::uint8_t depth = 0, chance = 0;
 
-  // The newest first. There are thousands of particles, hence short numbers.
-  std::array<RoomIndex, kSlots> room_{kNoRoom, kNoRoom, kNoRoom, kNoRoom, kNoRoom, kNoRoom};
-  std::array<std::uint16_t, kSlots> reflector_{};
-  std::array<std::uint8_t, kSlots> depth_{}, chance_{};
+    [[nodiscard]] bool is_before(RoomIndex of, std::uint16_t wall) const noexcept {
+      return reflector == wall && room == of;
+    }
+    [[nodiscard]] Front front() const noexcept;
+    void put(Front front) noexcept;
+  };
+  std::array<Slot, kSlots> slots_{};   ///< The newest first.
 };
 
 }  // namespace echoway::tracker

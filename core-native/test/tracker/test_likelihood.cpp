@@ -83,6 +83,60 @@ TEST_F(LikelihoodTest, WhoReckonsWithFurnitureIsMovedLessByIt) {
   EXPECT_LT(moved_by(followed), 0.5 * moved_by(EchoModel(belt_, of_empty_rooms)));
 }
 
+// Cupboards half a metre deep stand all along the wall that sensor 0 faces.
+class CupboardsBeforeAWall : public LikelihoodTest {
+ protected:
+  static constexpr double kDepth = 0.5;
+
+  Particle at(double metres) const {
+    Particle p = before_wall_;
+    p.position.x = metres;
+    p.cov.xx = p.cov.yy = 0.01;
+    return p;
+  }
+
+  // From the cupboards' faces, whoever stands so far before the wall.
+  Shot heard_by_who_stands_at(double metres) const { return heard_at(metres - belt_.radius_m - kDepth); }
+
+  Particle who_has_heard_them() {
+    Particle p = at(2.0);
+    for (int i = 0; i < 3; ++i) {
+      assimilate(p, heard_by_who_stands_at(2.0), followed_, scene_);
+      p.position = at(2.0).position;   // They know where they stand.
+      p.cov = at(2.0).cov;
+    }
+    return p;
+  }
+
+  EchoModel followed_{belt_, wary({})};
+};
+
+TEST_F(CupboardsBeforeAWall, AreNoSurpriseForWhoHasHeardThemFromElsewhere) {
+  Particle knows = who_has_heard_them();
+  knows.position = at(1.5).position;
+  const double known = weigh(knows, heard_by_who_stands_at(1.5), followed_, scene_).density;
+  EXPECT_GT(known, 1.5 * weigh(at(1.5), heard_by_who_stands_at(1.5), followed_, scene_).density);
+}
+
+TEST_F(CupboardsBeforeAWall, TellWhoHasHeardThemHowFarTheyHaveCome) {
+  Particle knows = who_has_heard_them();
+  knows.position = {1.7, 1.5};   // They think; they stand a little nearer.
+  Particle new_here = at(1.7);
+  assimilate(knows, heard_by_who_stands_at(1.6), followed_, scene_);
+  assimilate(new_here, heard_by_who_stands_at(1.6), followed_, scene_);
+  EXPECT_LT(knows.position.x, 1.68);
+  EXPECT_GT(knows.position.x, 1.58);
+  EXPECT_NEAR(new_here.position.x, 1.7, 0.005) << "it may be half a metre deep, or not quite";
+}
+
+TEST_F(CupboardsBeforeAWall, SayNothingForThePlan) {
+  Particle knows = who_has_heard_them();
+  const Outcome known = weigh(knows, heard_by_who_stands_at(2.0), followed_, scene_);
+  const Outcome unknown = weigh(at(2.0), heard_by_who_stands_at(2.0), followed_, scene_);
+  EXPECT_NEAR(known.plan, unknown.plan, 1e-9) << "or who is lost would feel at home among what they remember";
+  EXPECT_LE(known.mapped, unknown.mapped);
+}
+
 // A cupboard that is in no plan answered sensor 1 from 0.8 m, and now something answers sensor 0 from there.
 class CupboardTest : public LikelihoodTest {
  protected:
